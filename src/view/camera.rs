@@ -1,0 +1,166 @@
+//! Cameras: world to pixels for the centre line and the width, and the adjoint.
+//!
+//! `radius_px = width_world / 2 · px_per_world` (orthographic), `· focal_px / depth` (perspective). Image y points down.
+
+use crate::wire::Real;
+use glam::DVec3;
+
+/// How a view flattens the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Projection {
+    /// Parallel rays; the picture is `height_world` world units high.
+    Orthographic {
+        /// World units from the picture's lower to its upper border.
+        height_world: f64,
+    },
+    /// Rays through the eye.
+    Perspective {
+        /// Full vertical field of view in radians.
+        fov_y_rad: f64,
+    },
+}
+
+/// A named view: where from, where to, which way is up, and the picture's size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct View {
+    /// `front`, `side`, `top` or the person's own.
+    pub name: String,
+    /// How the world is flattened.
+    pub projection: Projection,
+    /// Eye in world units.
+    pub eye: [f64; 3],
+    /// The point that is seen in the picture's middle.
+    pub target: [f64; 3],
+    /// A direction that points up in the picture.
+    pub up: [f64; 3],
+    /// Picture width.
+    pub width_px: usize,
+    /// Picture height.
+    pub height_px: usize,
+}
+
+impl View {
+    /// A square orthographic view of the origin from the direction (azimuth, elevation), both in radians.
+    /// Azimuth 0 is the front (camera on +z), +90° the side (camera on +x); elevation 90° the top (up = -z).
+    pub fn orthographic(name: &str, azimuth_rad: f64, elevation_rad: f64, height_world: f64, size_px: usize) -> View {
+        let (sin_a, cos_a) = azimuth_rad.sin_cos();
+        let (sin_e, cos_e) = elevation_rad.sin_cos();
+        // The derivative of the direction by elevation: never parallel to it, and -z for the top seen from azimuth 0.
+        let up = [-sin_a * sin_e, cos_e, -cos_a * sin_e];
+        View {
+            name: name.to_owned(),
+            projection: Projection::Orthographic { height_world },
+            eye: [3.0 * sin_a * cos_e, 3.0 * sin_e, 3.0 * cos_a * cos_e],
+            target: [0.0; 3],
+            up,
+            width_px: size_px,
+            height_px: size_px,
+        }
+    }
+
+    /// The three canonical views in the order front, side, top.
+    pub fn canonical(height_world: f64, size_px: usize) -> [View; 3] {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        [
+            View::orthographic("front", 0.0, 0.0, height_world, size_px),
+            View::orthographic("side", quarter, 0.0, height_world, size_px),
+            View::orthographic("top", 0.0, quarter, height_world, size_px),
+        ]
+    }
+
+    /// The same view at another picture size.
+    pub fn with_size(&self, width_px: usize, height_px: usize) -> View {
+        View { width_px, height_px, ..self.clone() }
+    }
+
+    /// Its camera in the precision asked for.
+    pub fn camera<R: Real>(&self) -> Camera<R> {
+        let (eye, target) = (DVec3::from(self.eye), DVec3::from(self.target));
+        let forward = (target - eye).normalize();
+        let right = forward.cross(DVec3::from(self.up)).normalize();
+        let up = right.cross(forward);
+        let (scale, perspective) = match self.projection {
+            Projection::Orthographic { height_world } => (self.height_px as f64 / height_world, false),
+            Projection::Perspective { fov_y_rad } => (self.height_px as f64 / 2.0 / (fov_y_rad / 2.0).tan(), true),
+        };
+        let row = |axis: DVec3, sign: f64| {
+            let origin = if perspective { eye } else { target };
+            [axis.x, axis.y, axis.z, -axis.dot(origin)].map(|c| R::from_f64(sign * c))
+        };
+        Camera {
+            right: row(right, 1.0),
+            down: row(up, -1.0),
+            // Depth is measured from the eye in both projections.
+            forward: [forward.x, forward.y, forward.z, -forward.dot(eye)].map(R::from_f64),
+            scale: R::from_f64(scale),
+            centre_px: [self.width_px as f64 / 2.0, self.height_px as f64 / 2.0].map(R::from_f64),
+            perspective,
+        }
+    }
+}
+
+/// A view turned into numbers: affine rows from world to camera axes, and the scale to pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera<R> {
+    right: [R; 4],
+    down: [R; 4],
+    forward: [R; 4],
+    /// Pixels per world unit (orthographic) or focal length in pixels (perspective).
+    scale: R,
+    centre_px: [R; 2],
+    perspective: bool,
+}
+
+fn dot<R: Real>(row: &[R; 4], p: &[R; 4]) -> R {
+    row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3]
+}
+
+impl<R: Real> Camera<R> {
+    /// Distance in front of the eye, world units.
+    pub fn depth(&self, point: &[R; 4]) -> R {
+        dot(&self.forward, point)
+    }
+
+    /// `[x, y, z, width]` in the world to `[x_px, y_px, radius_px]`.
+    pub fn project(&self, point: &[R; 4]) -> [R; 3] {
+        let k = self.pixels_per_world(point);
+        let half = R::from_f64(0.5);
+        [
+            self.centre_px[0] + k * dot(&self.right, point),
+            self.centre_px[1] + k * dot(&self.down, point),
+            k * half * point[3],
+        ]
+    }
+
+    /// Adjoint of [`Camera::project`]: from d(x_px, y_px, radius_px) to d(x, y, z, width).
+    /// With p = k q, k = f / z: dq = k dp, dz = -(k / z) Σ q dp.
+    pub fn project_vjp(&self, point: &[R; 4], d_pixel: &[R; 3]) -> [R; 4] {
+        let k = self.pixels_per_world(point);
+        let half = R::from_f64(0.5);
+        let mut d_point = [R::zero(); 4];
+        for c in 0..3 {
+            d_point[c] = k * (self.right[c] * d_pixel[0] + self.down[c] * d_pixel[1]);
+        }
+        d_point[3] = k * half * d_pixel[2];
+        if self.perspective {
+            let along = dot(&self.right, point) * d_pixel[0]
+                + dot(&self.down, point) * d_pixel[1]
+                + half * point[3] * d_pixel[2];
+            let d_depth = -(k / self.safe_depth(point)) * along;
+            for c in 0..3 {
+                d_point[c] = d_point[c] + self.forward[c] * d_depth;
+            }
+        }
+        d_point
+    }
+
+    /// Pixels per world unit at the point's depth.
+    pub fn pixels_per_world(&self, point: &[R; 4]) -> R {
+        if self.perspective { self.scale / self.safe_depth(point) } else { self.scale }
+    }
+
+    // Points at or behind the eye are clamped just in front of it: far off the picture, but finite.
+    fn safe_depth(&self, point: &[R; 4]) -> R {
+        self.depth(point).max(R::from_f64(1e-3))
+    }
+}
