@@ -1,1 +1,452 @@
-//! settings
+//! Every setting there is, once: name, group, unit, range, default and one line of help. The command line's flags, the
+//! page's controls, the saved file and the link are all made from [`TABLE`], so they cannot drift apart.
+
+use crate::{Error, Result, wire::Form};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// Where a control is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Group {
+    /// What is run.
+    Run,
+    /// The wire's form and width.
+    Wire,
+    /// How the drawings are read and arranged.
+    Views,
+    /// How the wire is fitted.
+    Fit,
+    /// For people who know the method.
+    Expert,
+}
+
+/// What values a setting takes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Kind {
+    /// A whole number in `min..=max`.
+    Integer {
+        /// Smallest value.
+        min: u64,
+        /// Largest value.
+        max: u64,
+    },
+    /// A number in `min..=max`.
+    Number {
+        /// Smallest value.
+        min: f64,
+        /// Largest value.
+        max: f64,
+    },
+    /// One of a few words.
+    Choice {
+        /// The words.
+        choices: &'static [&'static str],
+    },
+    /// On or off.
+    Switch,
+}
+
+/// One row of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Setting {
+    /// Snake case; the flag is the same with dashes.
+    pub name: &'static str,
+    /// Where it is shown.
+    pub group: Group,
+    /// Unit for people, empty where there is none.
+    pub unit: &'static str,
+    /// One line of help.
+    pub help: &'static str,
+    /// Range or choices.
+    #[serde(flatten)]
+    pub kind: Kind,
+}
+
+macro_rules! choices {
+    ($($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)? })*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        pub enum $name { $($(#[$variant_doc])* #[serde(rename = $word)] $variant),* }
+        impl $name {
+            /// The words people type.
+            pub const WORDS: &'static [&'static str] = &[$($word),*];
+        }
+    )*};
+}
+
+choices! {
+    /// A bundle of defaults.
+    Preset {
+        /// The best wire in about ten seconds.
+        Best = "best",
+        /// Recognisable in about two seconds.
+        Fast = "fast",
+        /// The paper's own settings as far as they are known.
+        Paper = "paper",
+    }
+    /// What computes the fit.
+    Backend {
+        /// The best there is.
+        Auto = "auto",
+        /// The processor.
+        Cpu = "cpu",
+        /// The graphics card.
+        Gpu = "gpu",
+    }
+    /// Where the first wire comes from.
+    Start {
+        /// A tree grown through the drawings, walked there and back: one connected wire.
+        Tree = "tree",
+        /// Points of the visual hull, joined by a short tour.
+        Hull = "hull",
+        /// Points in a ball, joined by a short tour (the paper's).
+        Ball = "ball",
+    }
+    /// How far the drawings may bend to agree with each other.
+    Bend {
+        /// Not at all.
+        None = "none",
+        /// A pixel or two, during the fit.
+        Little = "little",
+        /// As much as it takes, before and during the fit.
+        Free = "free",
+    }
+    /// What is ink in a picture.
+    Ink {
+        /// Guessed from the border.
+        Auto = "auto",
+        /// Dark on light ground.
+        Dark = "dark",
+        /// Light on dark ground.
+        Light = "light",
+    }
+    /// Which views may be turned by quarters while arranging.
+    Turn {
+        /// None.
+        None = "none",
+        /// Only the top view.
+        Top = "top",
+        /// All of them.
+        All = "all",
+    }
+    /// On or off, for the flags that say so.
+    OnOff {
+        /// Yes.
+        On = "on",
+        /// No.
+        Off = "off",
+    }
+    /// How pictures are made coarser for the loss.
+    Pyramid {
+        /// Gaussian blur, then every other pixel.
+        Gaussian = "gaussian",
+        /// Averages of 2 x 2 pixels.
+        Average = "average",
+    }
+    /// Where re-initialised control points go.
+    NewPoint {
+        /// Where a drawing still lacks ink.
+        Lacking = "lacking",
+        /// Anywhere in the object's volume (the paper's text).
+        Random = "random",
+        /// Between the two neighbours.
+        Midpoint = "midpoint",
+    }
+}
+
+const FORMS: &[&str] = &["wire", "chain", "bag"];
+
+mod form_word {
+    use super::*;
+    use serde::{Deserializer, Serializer, de::Error as _};
+    pub fn serialize<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(match form {
+            Form::Spline => "wire",
+            Form::Chain => "chain",
+            Form::Bag => "bag",
+        })
+    }
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
+        match String::deserialize(deserializer)?.as_str() {
+            "wire" => Ok(Form::Spline),
+            "chain" => Ok(Form::Chain),
+            "bag" => Ok(Form::Bag),
+            _ => Err(D::Error::custom("wire, chain or bag")),
+        }
+    }
+}
+
+macro_rules! settings {
+    ($($group:ident $(#[doc = $help:literal])+ $(#[serde($serde:meta)])? $name:ident: $type:ty = $default:expr, $unit:literal, $kind:expr;)*) => {
+        /// Values for every row of [`TABLE`]. `Default` is the preset `best`.
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+        #[serde(deny_unknown_fields, default)]
+        pub struct Settings {
+            $($(#[doc = $help])+ $(#[serde($serde)])? pub $name: $type,)*
+        }
+        impl Default for Settings {
+            fn default() -> Self {
+                Settings { $($name: $default,)* }
+            }
+        }
+        /// Every setting in the order people should see them.
+        pub const TABLE: &[Setting] = &[$(Setting {
+            name: stringify!($name),
+            group: Group::$group,
+            unit: $unit,
+            help: concat!($($help),+).trim_ascii_start(),
+            kind: $kind,
+        }),*];
+    };
+}
+
+use Kind::{Choice, Integer, Number, Switch};
+
+settings! {
+    Run /// A bundle of defaults: best, fast or the paper's.
+    preset: Preset = Preset::Best, "", Choice { choices: Preset::WORDS };
+    Run /// The same seed and pictures give the same wire.
+    seed: u64 = 0, "", Integer { min: 0, max: 9_007_199_254_740_991 };
+    Run /// What computes the fit.
+    backend: Backend = Backend::Auto, "", Choice { choices: Backend::WORDS };
+    Run /// How many steps the fit takes in all.
+    iterations: usize = 1000, "steps", Integer { min: 1, max: 100_000 };
+    Run /// Side of the square pictures the wire is fitted to.
+    size: usize = 256, "px", Integer { min: 32, max: 2048 };
+
+    Wire /// One spline, a chain of Béziers with corners, or loose Béziers (the last two to compare with).
+    #[serde(with = "form_word")]
+    form: Form = Form::Spline, "", Choice { choices: FORMS };
+    Wire /// Control points of the first wire; 0 lets the start choose.
+    control_points: usize = 0, "points", Integer { min: 0, max: 20_000 };
+    Wire /// Thinnest the wire may get, as seen in a picture of 256 px.
+    min_width: f64 = 1.0, "px at 256", Number { min: 0.0, max: 64.0 };
+    Wire /// Thickest the wire may get, as seen in a picture of 256 px.
+    max_width: f64 = 20.0, "px at 256", Number { min: 0.1, max: 128.0 };
+
+    Views /// Try which drawing goes where, mirrored or turned, and keep what agrees best.
+    arrange: OnOff = OnOff::On, "", Choice { choices: OnOff::WORDS };
+    Views /// Drawings may change places while arranging.
+    may_swap: bool = true, "", Switch;
+    Views /// Drawings may be mirrored while arranging.
+    may_mirror: bool = true, "", Switch;
+    Views /// Which views may be turned by quarters while arranging.
+    may_turn: Turn = Turn::Top, "", Choice { choices: Turn::WORDS };
+    Views /// How far the drawings may bend to agree with each other.
+    bend: Bend = Bend::Little, "", Choice { choices: Bend::WORDS };
+    Views /// What is ink in the pictures.
+    ink: Ink = Ink::Auto, "", Choice { choices: Ink::WORDS };
+    Views /// Lines thinner than this are thickened to it before the fit; 0 leaves them alone.
+    min_stroke: f64 = 4.0, "px at 256", Number { min: 0.0, max: 32.0 };
+    Views /// The most a drawing may be stretched so that views agree along shared axes.
+    max_stretch: f64 = 1.35, "times", Number { min: 1.0, max: 4.0 };
+
+    Fit /// Where the first wire comes from.
+    start: Start = Start::Tree, "", Choice { choices: Start::WORDS };
+    Fit /// Move control points whose width has vanished to where they are needed.
+    reinit: bool = false, "", Switch;
+    Fit /// Add control points where the pictures pull hardest.
+    refine: bool = false, "", Switch;
+    Fit /// How strongly the wire is kept smooth (weight of the jerk of positions).
+    smoothness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
+
+    Expert /// Step size for positions, in pixels of a 128 px picture.
+    position_rate: f64 = 0.5, "px at 128", Number { min: 1e-4, max: 10.0 };
+    Expert /// Step size for widths, in pixels of a 128 px picture.
+    width_rate: f64 = 0.24, "px at 128", Number { min: 0.0, max: 10.0 };
+    Expert /// How pictures are made coarser for the loss.
+    pyramid: Pyramid = Pyramid::Average, "", Choice { choices: Pyramid::WORDS };
+    Expert /// Weight of each coarser level of the loss relative to the finer one, at the start.
+    level_weight: f64 = 1.0, "times", Number { min: 0.0, max: 16.0 };
+    Expert /// Share of the iterations at half size, where each costs a quarter.
+    coarse_share: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 };
+    Expert /// Exact points on each span of the wire while fitting.
+    samples: usize = 3, "a span", Integer { min: 1, max: 32 };
+    Expert /// Where re-initialised control points go.
+    new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS };
+    Expert /// Voxels along each side of the grid in which the first wire grows.
+    grid: usize = 64, "voxels", Integer { min: 16, max: 160 };
+}
+
+impl Settings {
+    /// The settings of a preset.
+    pub fn preset(preset: Preset) -> Settings {
+        let best = Settings::default();
+        match preset {
+            Preset::Best => best,
+            Preset::Fast => Settings { preset, iterations: 220, coarse_share: 0.8, grid: 48, ..best },
+            Preset::Paper => Settings {
+                preset,
+                iterations: 900,
+                control_points: 220,
+                min_width: 0.0,
+                max_width: 5.0,
+                start: Start::Ball,
+                bend: Bend::None,
+                reinit: true,
+                refine: true,
+                samples: 8,
+                pyramid: Pyramid::Gaussian,
+                coarse_share: 0.0,
+                new_point: NewPoint::Random,
+                ..best
+            },
+        }
+    }
+
+    /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
+    pub fn from_pairs<'a>(pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
+        let mut settings = Settings::default();
+        for (name, text) in pairs.clone() {
+            if name.replace('-', "_") == "preset" {
+                settings.set(name, text)?;
+                settings = Settings::preset(settings.preset);
+            }
+        }
+        for (name, text) in pairs {
+            settings.set(name, text)?;
+        }
+        settings.check()?;
+        Ok(settings)
+    }
+
+    /// Sets one value from text. Dashes and underscores are the same.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] when the name is unknown, or the value is not of its kind or out of range.
+    pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
+        let key = name.replace('-', "_");
+        let Some(row) = TABLE.iter().find(|row| row.name == key) else {
+            let nearest = nearest_name(&key);
+            return Err(Error::setting(name, "there is no such setting", format!("did you mean {nearest}?")));
+        };
+        let value = row.kind.parse(text).ok_or_else(|| {
+            Error::setting(name, format!("{text:?} is not a possible value"), format!("give {}", row.kind.words()))
+        })?;
+        let refuse =
+            |_| Error::setting(name, format!("{text:?} is not a possible value"), format!("give {}", row.kind.words()));
+        let mut all = serde_json::to_value(&*self).map_err(refuse)?;
+        all[row.name] = value;
+        *self = serde_json::from_value(all).map_err(refuse)?;
+        Ok(())
+    }
+
+    /// Checks what single ranges cannot say.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] when settings contradict each other.
+    pub fn check(&self) -> Result<()> {
+        if self.min_width > self.max_width {
+            return Err(Error::setting(
+                "min_width",
+                format!("{} is more than max_width {}", self.min_width, self.max_width),
+                "lower it or raise max_width",
+            ));
+        }
+        if (1..4).contains(&self.control_points) {
+            return Err(Error::setting(
+                "control_points",
+                format!("a wire needs at least 4, not {}", self.control_points),
+                "give 4 to 20000, or 0 to let the start choose",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Every value by name, for files and reports.
+    pub fn to_map(&self) -> serde_json::Map<String, Value> {
+        match serde_json::to_value(self) {
+            Ok(Value::Object(map)) => map,
+            _ => serde_json::Map::new(),
+        }
+    }
+}
+
+impl Kind {
+    fn parse(&self, text: &str) -> Option<Value> {
+        match *self {
+            Kind::Integer { min, max } => {
+                text.trim().parse::<u64>().ok().filter(|n| (min..=max).contains(n)).map(Value::from)
+            }
+            Kind::Number { min, max } => {
+                text.trim().parse::<f64>().ok().filter(|x| (min..=max).contains(x)).map(Value::from)
+            }
+            Kind::Choice { choices } => choices.contains(&text.trim()).then(|| Value::from(text.trim())),
+            Kind::Switch => match text.trim() {
+                "on" | "true" | "yes" | "1" => Some(Value::from(true)),
+                "off" | "false" | "no" | "0" => Some(Value::from(false)),
+                _ => None,
+            },
+        }
+    }
+
+    /// The possible values in words.
+    pub fn words(&self) -> String {
+        match *self {
+            Kind::Integer { min, max } => format!("a whole number from {min} to {max}"),
+            Kind::Number { min, max } => format!("a number from {min} to {max}"),
+            Kind::Choice { choices } => choices.join(", "),
+            Kind::Switch => "on or off".to_owned(),
+        }
+    }
+}
+
+/// The setting whose name shares the most letter pairs with `name`.
+fn nearest_name(name: &str) -> &'static str {
+    let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
+    let given = pairs(name);
+    TABLE
+        .iter()
+        .max_by_key(|row| {
+            let shared = pairs(row.name).iter().filter(|pair| given.contains(pair)).count();
+            (shared * 100).checked_div(row.name.len() + name.len()).unwrap_or(0)
+        })
+        .map_or("preset", |row| row.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn table_and_struct_name_the_same_settings_and_defaults_are_in_range() {
+        for preset in [Preset::Best, Preset::Fast, Preset::Paper] {
+            let map = Settings::preset(preset).to_map();
+            assert_eq!(map.len(), TABLE.len());
+            for row in TABLE {
+                let value = &map[row.name];
+                let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+                assert!(row.kind.parse(&text).is_some(), "{}: {text} is outside {}", row.name, row.kind.words());
+                assert!(!row.help.is_empty() && row.help.ends_with('.'), "{} needs a line of help", row.name);
+            }
+        }
+    }
+
+    #[test]
+    fn pairs_lie_over_the_preset_whatever_their_order() {
+        let settings = Settings::from_pairs([("iterations", "7"), ("preset", "paper"), ("min-width", "0.5")]).unwrap();
+        assert_eq!((settings.iterations, settings.start, settings.min_width), (7, Start::Ball, 0.5));
+    }
+
+    #[test]
+    fn nonsense_is_refused_with_the_name_and_a_remedy() {
+        for (name, text) in [
+            ("itterations", "5"),
+            ("iterations", "-1"),
+            ("iterations", "NaN"),
+            ("min-width", "inf"),
+            ("bend", "lots"),
+            ("control-points", "3"),
+            ("control-points", "20001"),
+            ("reinit", "perhaps"),
+        ] {
+            let error = Settings::from_pairs([(name, text)]).unwrap_err();
+            assert!(matches!(error, Error::Setting { .. }), "{name}={text} gave {error:?}");
+        }
+        let error = Settings::from_pairs([("itterations", "5")]).unwrap_err().to_string();
+        assert!(error.contains("did you mean iterations?"), "{error}");
+        assert!(Settings::from_pairs([("min-width", "9"), ("max-width", "2")]).is_err());
+    }
+}
