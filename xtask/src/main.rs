@@ -1,3 +1,51 @@
-fn main() {
-    println!("wire4d xtask");
+//! `cargo xtask VERB`: builds, serves and tests Wire4D. One module a verb; what verbs share is in `shell`, `setup`,
+//! `wasm` and `page`.
+
+mod build;
+mod page;
+mod serve;
+mod setup;
+mod shell;
+mod test;
+mod wasm;
+
+use std::process::ExitCode;
+
+type Result<T = (), E = Box<dyn std::error::Error>> = std::result::Result<T, E>;
+
+struct Verb {
+    name: &'static str,
+    options: &'static str,
+    help: &'static str,
+    run: fn(&[String]) -> Result,
+}
+
+const VERBS: &[Verb] = &[
+    Verb { name: "serve", options: "[--dev]", help: serve::HELP, run: serve::run },
+    Verb { name: "build", options: "", help: build::HELP, run: build::run },
+    Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
+];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let Some((name, options)) =
+        arguments.split_first().filter(|(name, _)| !["help", "--help", "-h"].contains(&&***name))
+    else {
+        println!("usage: cargo xtask VERB\n");
+        for verb in VERBS {
+            println!("  {:<26} {}", format!("{} {}", verb.name, verb.options), verb.help);
+        }
+        return ExitCode::SUCCESS;
+    };
+    let Some(verb) = VERBS.iter().find(|verb| verb.name == name) else {
+        eprintln!("xtask: there is no verb `{name}`; `cargo xtask help` lists them");
+        return ExitCode::from(2);
+    };
+    match (verb.run)(options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("xtask {name}: {error}");
+            ExitCode::FAILURE
+        }
+    }
 }

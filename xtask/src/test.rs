@@ -1,0 +1,52 @@
+//! `cargo xtask test`: every test there is, or one part of them.
+
+use crate::Result;
+use crate::page;
+use crate::setup;
+use crate::shell::{command, run as run_command, say};
+
+pub const HELP: &str = "run every test there is, or only those of one part";
+
+pub fn run(options: &[String]) -> Result {
+    let parts = ["rust", "web", "browser"];
+    if let Some(unknown) = options.iter().find(|option| !parts.contains(&option.as_str())) {
+        return Err(format!("there is no part `{unknown}`; the parts are {}", parts.join(", ")).into());
+    }
+    let wanted = |part: &str| options.is_empty() || options.iter().any(|option| option == part);
+    if wanted("rust") {
+        rust()?;
+    }
+    if wanted("web") || wanted("browser") {
+        page::prepare()?;
+    }
+    if wanted("web") {
+        web()?;
+    }
+    if wanted("browser") {
+        browser()?;
+    }
+    Ok(())
+}
+
+/// The workspace's own tests; the libraries are also compiled the way the page uses them, by `page::prepare`.
+fn rust() -> Result {
+    setup::software_vulkan();
+    say("testing the core and the command line");
+    run_command(command("cargo").args(["test", "--workspace", "--locked"]))
+}
+
+/// Types and units of the page.
+fn web() -> Result {
+    say("checking the page's types");
+    run_command(page::tool("typescript/bin/tsc").arg("--noEmit"))?;
+    say("testing the page's modules");
+    run_command(page::tool("vitest/vitest.mjs").args(["run", "--project", "unit"]))
+}
+
+/// The built page in a real browser.
+fn browser() -> Result {
+    let chromium = setup::chromium()?;
+    page::bundle()?;
+    say(format!("testing the page in {}", chromium.display()));
+    run_command(page::tool("vitest/vitest.mjs").args(["run", "--project", "browser"]).env("CHROMIUM", chromium))
+}

@@ -1,0 +1,130 @@
+//! The core as WebAssembly: compile with SIMD, bind, optimise. Steps whose input has not changed are skipped.
+
+use crate::Result;
+use crate::page;
+use crate::setup;
+use crate::shell::{command, find_program, output, root, run, say, succeeds};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use wasm_bindgen_cli_support::Bindgen;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const RUSTFLAGS: &str = "-C target-feature=+simd128";
+/// Folder of its own: another compiler and other flags must not throw away the native build, nor it this.
+const TARGET_DIR: &str = "target/web";
+
+/// What the compiler may use: what `rustc` itself declares for this target plus SIMD.
+const WASM_FEATURES: &[&str] = &[
+    "--enable-simd",
+    "--enable-bulk-memory",
+    "--enable-sign-ext",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-multivalue",
+    "--enable-reference-types",
+];
+
+/// Builds `www/src/engine/wasm/wire4d{.js,.d.ts,_bg.wasm}`; needs the page's packages (for wasm-opt).
+pub fn build() -> Result {
+    compile()?;
+    let compiled = root().join(TARGET_DIR).join(TARGET).join("wasm/wire4d.wasm");
+    let out_dir = root().join("www/src/engine/wasm");
+    let stamp = out_dir.join("stamp");
+    let bytes = std::fs::read(&compiled).map_err(|error| format!("cannot read {}: {error}", compiled.display()))?;
+    let fingerprint = fingerprint(&bytes)?;
+    if std::fs::read_to_string(&stamp).is_ok_and(|old| old == fingerprint) {
+        say("the wasm module is fresh");
+        return Ok(());
+    }
+    bind(&compiled, &out_dir)?;
+    let module = out_dir.join("wire4d_bg.wasm");
+    let size = |path: &Path| std::fs::metadata(path).map_or(0, |meta| meta.len() / 1000);
+    let before_kb = size(&module);
+    optimise(&module)?;
+    say(format!("wasm module: {before_kb} kB, {} kB after wasm-opt", size(&module)));
+    std::fs::write(stamp, fingerprint)?;
+    Ok(())
+}
+
+/// Everything the outputs depend on: the compiled module, the binder (linked into this program), and wasm-opt.
+fn fingerprint(compiled: &[u8]) -> Result<String> {
+    let mut hasher = DefaultHasher::new();
+    compiled.hash(&mut hasher);
+    WASM_FEATURES.hash(&mut hasher);
+    std::fs::read(root().join("Cargo.lock"))?.hash(&mut hasher);
+    std::fs::read(root().join("www/package-lock.json"))?.hash(&mut hasher);
+    Ok(format!("{:016x}", hasher.finish()))
+}
+
+/// Compiles by the first route that works: the target of the person's own toolchain (installed, or added through
+/// rustup), else Debian's compiler, which carries the standard library's source.
+fn compile() -> Result {
+    let own = own_target_installed() || (find_program(&["rustup"]).is_some() && add_target());
+    let mut cargo = if own {
+        say(format!("compiling the core for {TARGET}"));
+        let mut cargo = command("cargo");
+        cargo.env("RUSTFLAGS", RUSTFLAGS);
+        cargo
+    } else {
+        debian_cargo()?
+    };
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").args(["build", "--locked", "--lib", "--no-default-features"]);
+    run(cargo.args(["--profile", "wasm", "--target", TARGET, "--target-dir", TARGET_DIR]))
+}
+
+fn own_target_installed() -> bool {
+    output(command("rustc").args(["--print", "target-libdir", "--target", TARGET]))
+        .is_some_and(|folder| Path::new(&folder).read_dir().is_ok_and(|mut files| files.next().is_some()))
+}
+
+fn add_target() -> bool {
+    say(format!("trying `rustup target add {TARGET}`"));
+    succeeds(command("rustup").args(["target", "add", TARGET])) && own_target_installed()
+}
+
+const DEBIAN_CARGO: &str = "/usr/bin/cargo";
+const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
+
+fn debian_cargo() -> Result<Command> {
+    if !debian_compiler_complete() {
+        let packages = ["rustc-web", "cargo-web", "rust-web-src", "rust-web-llvm", "lld-22"];
+        setup::install(&format!("a Rust compiler for {TARGET} (or run `rustup target add {TARGET}`)"), &packages)?;
+    }
+    say(format!("compiling the core for {TARGET} with Debian's compiler, standard library included"));
+    let mut cargo = command(DEBIAN_CARGO);
+    // `cargo run` through rustup leaves variables that would lead Debian's cargo back to rustup's compiler or libraries.
+    for name in ["CARGO", "RUSTUP_TOOLCHAIN", "RUSTC_WRAPPER", "RUSTC_WORKSPACE_WRAPPER", "LD_LIBRARY_PATH", "RUSTDOC"]
+    {
+        cargo.env_remove(name);
+    }
+    cargo.env("RUSTC", DEBIAN_RUSTC).env("RUSTFLAGS", RUSTFLAGS);
+    // -Zbuild-std is a nightly option; the bootstrap variable opens it on a release compiler.
+    cargo.env("RUSTC_BOOTSTRAP", "1").arg("-Zbuild-std=std,panic_abort");
+    Ok(cargo)
+}
+
+/// A compiler of Debian's `-web` packages with the standard library's source and a linker for wasm.
+fn debian_compiler_complete() -> bool {
+    let Some(sysroot) = output(command(DEBIAN_RUSTC).env_remove("LD_LIBRARY_PATH").args(["--print", "sysroot"])) else {
+        return false;
+    };
+    let library = PathBuf::from(sysroot).join("lib/rustlib/src/rust/library");
+    Path::new(DEBIAN_CARGO).is_file()
+        && library.join("std/Cargo.toml").is_file()
+        && find_program(&["rust-lld"]).is_some()
+}
+
+fn bind(compiled: &Path, out_dir: &Path) -> Result {
+    say("binding");
+    let mut bindgen = Bindgen::new();
+    bindgen.input_path(compiled).out_name("wire4d").typescript(true).omit_default_module_path(true);
+    bindgen.web(true).and_then(|bindgen| bindgen.generate(out_dir)).map_err(|error| format!("{error:#}"))?;
+    Ok(())
+}
+
+fn optimise(module: &Path) -> Result {
+    say("running wasm-opt");
+    let wasm_opt = page::folder().join("node_modules/binaryen/bin/wasm-opt");
+    run(command("node").arg(wasm_opt).arg(module).arg("-O3").args(WASM_FEATURES).arg("-o").arg(module))
+}
