@@ -43,6 +43,49 @@ impl Image {
         }
         out
     }
+
+    /// Gaussian blur; ground outside. The kernel is cut at 4 `sigma_px` and sums to 1; sigma 0 changes nothing.
+    pub fn blurred(&self, sigma_px: f64) -> Image {
+        let reach = (4.0 * sigma_px).ceil() as usize;
+        if reach == 0 || self.data.is_empty() {
+            return self.clone();
+        }
+        let bell = |k: usize| (-0.5 * ((k as f64 - reach as f64) / sigma_px).powi(2)).exp();
+        let sum: f64 = (0..=2 * reach).map(bell).sum();
+        let kernel: Vec<f32> = (0..=2 * reach).map(|k| (bell(k) / sum) as f32).collect();
+        let (width, height) = (self.width, self.height);
+        let mut rows = vec![0.0f32; self.data.len()];
+        for (blurred, row) in rows.chunks_exact_mut(width).zip(self.data.chunks_exact(width)) {
+            for (x, out) in blurred.iter_mut().enumerate() {
+                let (low, high) = (x.saturating_sub(reach), width.min(x + reach + 1));
+                let weights = &kernel[low + reach - x..];
+                *out = row[low..high].iter().zip(weights).map(|(value, weight)| value * weight).sum();
+            }
+        }
+        let mut out = Image::new(width, height);
+        for (y, blurred) in out.data.chunks_exact_mut(width).enumerate() {
+            for source in y.saturating_sub(reach)..height.min(y + reach + 1) {
+                let weight = kernel[source + reach - y];
+                for (out, value) in blurred.iter_mut().zip(&rows[source * width..]) {
+                    *out += weight * value;
+                }
+            }
+        }
+        out
+    }
+
+    /// The value at a point in pixels (centres at +0.5), bilinear between centres, the nearest value outside.
+    pub fn sample(&self, x_px: f32, y_px: f32) -> f32 {
+        let place = |p: f32, size: usize| {
+            let p = (p - 0.5).clamp(0.0, (size - 1) as f32);
+            let low = (p as usize).min(size.saturating_sub(2));
+            (low, (low + 1).min(size - 1), p - low as f32)
+        };
+        let (x0, x1, u) = place(x_px, self.width);
+        let (y0, y1, v) = place(y_px, self.height);
+        let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
+        mix(mix(self.at(x0, y0), self.at(x1, y0), u), mix(self.at(x0, y1), self.at(x1, y1), u), v)
+    }
 }
 
 /// For each of `to` cells, the source cells of `from` it overlaps with their share of it.
@@ -57,4 +100,51 @@ fn area_weights(from: usize, to: usize) -> Vec<Vec<(usize, f32)>> {
                 .collect()
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::Rng;
+
+    fn random(width: usize, height: usize) -> Image {
+        let mut rng = Rng::new(5, 0);
+        Image { width, height, data: (0..width * height).map(|_| rng.unit() as f32).collect() }
+    }
+
+    #[test]
+    fn resizing_keeps_the_mean() {
+        let image = random(31, 18);
+        let mean = |image: &Image| image.data.iter().map(|&v| f64::from(v)).sum::<f64>() / image.data.len() as f64;
+        for (width, height) in [(7, 5), (31, 18), (64, 64), (1, 1), (30, 19)] {
+            assert!((mean(&image.resized(width, height)) - mean(&image)).abs() < 1e-6, "{width} x {height}");
+        }
+        assert_eq!(image.resized(62, 36).at(5, 7), image.at(2, 3), "doubling repeats pixels");
+    }
+
+    #[test]
+    fn blur_is_a_unit_gaussian() {
+        let mut dot = Image::new(41, 33);
+        dot.data[16 * 41 + 20] = 1.0;
+        let sigma = 2.5;
+        let blurred = dot.blurred(sigma);
+        assert!((blurred.data.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+        let second = |power: i32| -> f64 {
+            let each = blurred.data.iter().enumerate();
+            each.map(|(i, &v)| f64::from(v) * ((i % 41) as f64 - 20.0).powi(power)).sum()
+        };
+        assert!(second(1).abs() < 1e-5);
+        assert!((second(2).sqrt() - sigma).abs() < 0.01, "{}", second(2).sqrt());
+        assert!((dot.blurred(3.0).at(20, 16) - blurred.at(20, 16)).abs() > 1e-3, "another sigma is another picture");
+        assert_eq!(dot.blurred(0.0), dot);
+    }
+
+    #[test]
+    fn sampling_meets_the_centres() {
+        let image = random(9, 7);
+        assert_eq!(image.sample(4.5, 3.5), image.at(4, 3));
+        assert!((image.sample(5.0, 3.5) - 0.5 * (image.at(4, 3) + image.at(5, 3))).abs() < 1e-6);
+        assert_eq!(image.sample(-3.0, 99.0), image.at(0, 6));
+        assert_eq!(Image { width: 1, height: 1, data: vec![0.25] }.sample(7.0, 0.0), 0.25);
+    }
 }

@@ -2,9 +2,11 @@
 
 mod camera;
 mod image;
+mod mask;
 
 pub use camera::{Camera, Projection, View};
 pub use image::Image;
+pub use mask::{Components, Mask, NOWHERE, PixelBox};
 
 /// A view and what it should show: the picture's ink as seen through that view.
 #[derive(Debug, Clone, PartialEq)]
