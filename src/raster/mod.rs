@@ -1,4 +1,11 @@
 //! Coverage of tapered round strokes and its adjoint: polylines of discs in pixels to a picture, and back.
+//!
+//! Space: pixels, y down, pixel centres at +0.5; a vertex is `[x_px, y_px, radius_px]`, radius the half width. A
+//! stroke is the union of the convex hulls of each two consecutive discs. Coverage is 1 inside, 0 outside.
+
+mod band;
+
+pub use band::BandRaster;
 
 use crate::wire::Stroke;
 
@@ -10,4 +17,27 @@ pub trait Raster: Send {
 
     /// Adjoint of the last [`Raster::forward`]: from d(coverage) to d(vertices), one entry a vertex; overwrites.
     fn backward(&mut self, d_coverage: &[f32], d_vertices: &mut Vec<[f32; 3]>);
+}
+
+/// Vertices beyond this (in pixels) are not drawn: nothing sensible lies there, and f32 has no digits left.
+const FARTHEST_PX: f32 = 1e6;
+
+/// Whether a vertex is finite and within reach of any picture.
+fn usable(vertex: [f32; 3]) -> bool {
+    // NaN compares false.
+    vertex.iter().all(|c| c.abs() <= FARTHEST_PX)
+}
+
+/// The vertex pairs of all strokes, in order; a single vertex pairs with itself. Ranges beyond `count` are cut.
+fn piece_indices(strokes: &[Stroke], count: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+    strokes.iter().flat_map(move |stroke| {
+        let end = stroke.start.saturating_add(stroke.count).min(count);
+        let start = stroke.start.min(end);
+        let pieces = match end - start {
+            n if n <= 1 => n,
+            n if stroke.closed => n,
+            n => n - 1,
+        };
+        (start..start + pieces).map(move |a| (a, if a + 1 < end { a + 1 } else { start }))
+    })
 }
