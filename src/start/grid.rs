@@ -56,7 +56,7 @@ impl Grid {
     }
 
     /// Number of voxels, the spare layer included.
-    pub fn len(&self) -> usize {
+    pub fn voxels(&self) -> usize {
         self.size.iter().product()
     }
 
@@ -94,7 +94,7 @@ impl Grid {
 
     fn pixels_of(&self, view: &View, [width, height]: [usize; 2]) -> Vec<u32> {
         let camera = view.with_size(width, height).camera::<f64>();
-        (0..self.len())
+        (0..self.voxels())
             .map(|voxel| {
                 let [x, y, z] = self.position(voxel);
                 let [x_px, y_px, _] = camera.project(&[x, y, z, 0.0]);
@@ -135,7 +135,7 @@ mod tests {
             let [width, height] = grid.plane_size[v];
             assert_eq!([width, height], [64, 64]);
             let camera = target.view.with_size(width, height).camera::<f64>();
-            for voxel in (0..grid.len()).step_by(977) {
+            for voxel in (0..grid.voxels()).step_by(977) {
                 let [x, y, z] = grid.position(voxel);
                 let [x_px, y_px, _] = camera.project(&[x, y, z, 0.0]);
                 assert!((x_px.fract() - 0.5).abs() < 1e-9 && (y_px.fract() - 0.5).abs() < 1e-9);

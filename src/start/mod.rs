@@ -4,10 +4,12 @@ mod fit;
 mod grid;
 mod plane;
 mod shortest;
+#[cfg(test)]
+mod testing;
 mod trail;
 mod tree;
 
-pub use fit::{length, resampled};
+pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
 pub use trail::{TrailOptions, path_along};
 pub use tree::{Tree, TreeOptions, grow_tree};
@@ -19,4 +21,24 @@ pub struct Path {
     pub points: Vec<[f64; 4]>,
     /// Whether the last point joins the first.
     pub closed: bool,
+}
+
+use crate::error::Result;
+use crate::view::Target;
+
+/// The start for drawings: grows a tree through the box of `half_extents_world` and walks it.
+/// `progress` is told how much is done (0 to 1) and stops the growth by returning false; what has grown is used.
+///
+/// # Errors
+/// As [`Grid::new`] and [`grow_tree`].
+pub fn tree_path(
+    targets: &[Target],
+    half_extents_world: [f64; 3],
+    tree: &TreeOptions,
+    trail: &TrailOptions,
+    progress: &mut dyn FnMut(f32) -> bool,
+) -> Result<Path> {
+    let grid = Grid::new(targets, half_extents_world, tree.across)?;
+    let tree = grow_tree(&grid, targets, tree, progress)?;
+    Ok(path_along(&grid, &tree, trail))
 }

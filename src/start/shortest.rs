@@ -20,14 +20,7 @@ pub struct Shortest {
 impl Shortest {
     /// Searches from `sources` up to distance `limit`. A step costs its length times the mean cost of its two voxels;
     /// `cost` is infinite where nothing may go (at least in the grid's outer layer) and else at least `least_cost` > 0.
-    pub fn search(
-        &mut self,
-        neighbours: &[(isize, f32)],
-        cost: &[f32],
-        least_cost: f32,
-        sources: &[u32],
-        limit: f32,
-    ) {
+    pub fn search(&mut self, neighbours: &[(isize, f32)], cost: &[f32], least_cost: f32, sources: &[u32], limit: f32) {
         let count = cost.len();
         self.distance.clear();
         self.distance.resize(count, f32::INFINITY);

@@ -97,7 +97,7 @@ struct Graph {
 
 impl Graph {
     fn new(grid: &Grid, tree: &Tree) -> Graph {
-        let mut vertex_of = vec![NONE; grid.len()];
+        let mut vertex_of = vec![NONE; grid.voxels()];
         let mut voxels = Vec::with_capacity(tree.edges.len() + 1);
         let mut vertex = |voxel: u32| {
             let slot = &mut vertex_of[voxel as usize];
@@ -190,9 +190,8 @@ impl Pairing {
     fn new(graph: &Graph, edges: Vec<[u32; 2]>) -> Pairing {
         let mut at = vec![Vec::new(); graph.voxels.len()];
         let mut direction = Vec::with_capacity(2 * edges.len());
-        let tree_edge = |&[a, b]: &[u32; 2]| {
-            *graph.incident[a as usize].iter().find(|&&e| graph.across(e, a) == b).unwrap_or(&0)
-        };
+        let tree_edge =
+            |&[a, b]: &[u32; 2]| *graph.incident[a as usize].iter().find(|&&e| graph.across(e, a) == b).unwrap_or(&0);
         for (e, edge) in edges.iter().enumerate() {
             let own = tree_edge(edge);
             for side in 0..2 {
@@ -303,5 +302,60 @@ impl Sets {
     fn unite(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b) as usize] = a.min(b);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::start::testing::letters;
+    use crate::start::{TreeOptions, grow_tree};
+    use std::collections::HashMap;
+
+    fn walks_all(grid: &Grid, tree: &Tree, trail: &[u32]) -> Result<(), String> {
+        let mut times: HashMap<[u32; 2], usize> = tree.edges.iter().map(|&[a, b]| ([a.min(b), a.max(b)], 0)).collect();
+        let neighbours = grid.neighbours();
+        for step in trail.windows(2) {
+            let apart = step[1] as isize - step[0] as isize;
+            if !neighbours.iter().any(|n| n.0 == apart) {
+                return Err(format!("a jump from {} to {}", step[0], step[1]));
+            }
+            *times.get_mut(&[step[0].min(step[1]), step[0].max(step[1])]).ok_or("a step off the tree")? += 1;
+        }
+        match times.values().find(|&&count| !(1..=2).contains(&count)) {
+            Some(count) => Err(format!("an edge walked {count} times")),
+            None => Ok(()),
+        }
+    }
+
+    #[test]
+    fn trail_walks_every_edge_once_or_twice() {
+        let targets = letters();
+        let grid = Grid::new(&targets, [0.55; 3], 64).unwrap();
+        let tree = grow_tree(&grid, &targets, &TreeOptions::default(), &mut |_| true).unwrap();
+        let trail = voxel_trail(&grid, &tree);
+        walks_all(&grid, &tree, &trail).unwrap();
+        assert!(trail.len() < 2 * tree.edges.len(), "one path is walked only once");
+        let mut jumps = trail.clone();
+        jumps.swap(3, trail.len() / 2);
+        assert!(walks_all(&grid, &tree, &jumps).is_err() && walks_all(&grid, &tree, &trail[..9]).is_err());
+        let path = path_along(&grid, &tree, &TrailOptions::default());
+        assert_eq!(path.points.len(), trail.len());
+        assert!(path.points.iter().flatten().all(|x| x.is_finite()));
+    }
+
+    #[test]
+    fn smoothing_keeps_ends_and_straight_lines() {
+        let line: Vec<[f64; 4]> = (0..30).map(|i| [f64::from(i), 2.0 * f64::from(i), -f64::from(i), 0.1]).collect();
+        let mut smoothed = line.clone();
+        smooth(&mut smoothed, 2.5);
+        for (a, b) in line.iter().zip(&smoothed) {
+            assert!((0..4).all(|c| (a[c] - b[c]).abs() < 1e-12));
+        }
+        let mut zigzag = line.clone();
+        zigzag.iter_mut().enumerate().for_each(|(i, p)| p[0] += if i % 2 == 0 { 1.0 } else { -1.0 });
+        let rough = zigzag[15][0] - line[15][0];
+        smooth(&mut zigzag, 2.5);
+        assert!((zigzag[15][0] - line[15][0]).abs() < 0.01 * rough.abs());
     }
 }

@@ -124,7 +124,7 @@ pub fn grow_tree(
         options: *options,
         scale,
         sheets,
-        in_tree: vec![false; grid.len()],
+        in_tree: vec![false; grid.voxels()],
         voxels: Vec::new(),
         edges: Vec::new(),
         branches: 0,
@@ -153,7 +153,14 @@ impl Sheet {
         let count = plane.inked.len();
         let missing = plane.lines.clone();
         let missing_count = missing.iter().filter(|&&line| line).count();
-        Sheet { plane, missing, missing_count, drawn: vec![false; count], price: vec![0.0; count], near: vec![NONE; count] }
+        Sheet {
+            plane,
+            missing,
+            missing_count,
+            drawn: vec![false; count],
+            price: vec![0.0; count],
+            near: vec![NONE; count],
+        }
     }
 
     /// Recomputes price and nearest missing pixel of the pixels within `reach` of (x, y).
@@ -200,7 +207,7 @@ impl Growth<'_> {
     /// The voxel that lies on ink in every view and on the middle line in most of them, nearest the object's middle.
     fn best_root(&self) -> Option<u32> {
         let mut best: Option<(usize, f64, u32)> = None;
-        for voxel in 0..self.grid.len() {
+        for voxel in 0..self.grid.voxels() {
             if self.grid.is_spare(voxel) {
                 continue;
             }
@@ -264,15 +271,15 @@ impl Growth<'_> {
         let neighbours = self.grid.neighbours();
         let all: usize = self.sheets.iter().map(|sheet| sheet.missing_count).sum();
         let mut shortest = Shortest::default();
-        let mut cost = vec![f32::INFINITY; self.grid.len()];
-        let mut gains = vec![0.0f32; self.grid.len()];
+        let mut cost = vec![f32::INFINITY; self.grid.voxels()];
+        let mut gains = vec![0.0f32; self.grid.voxels()];
         let dearest = self.options.missing_weight * self.options.stray_price;
         let mut gain = self.options.gain;
         let mut limit = 10.0 * self.options.stray_price * self.scale;
         loop {
             self.fill_cost(&mut cost);
             shortest.search(&neighbours, &cost, self.options.step_price, &self.voxels, limit);
-            let added = self.add_best_branches(&shortest, &cost, gain, &mut gains);
+            let added = self.add_best_branches(&shortest, gain, &mut gains);
             let missing: usize = self.sheets.iter().map(|sheet| sheet.missing_count).sum();
             if missing == 0 || !progress(1.0 - missing as f32 / all.max(1) as f32) {
                 return;
@@ -309,7 +316,7 @@ impl Growth<'_> {
     }
 
     /// Adds the best branch, and every other one that is nearly as good with it as without it. Returns how many.
-    fn add_best_branches(&mut self, shortest: &Shortest, cost: &[f32], gain: f32, gains: &mut [f32]) -> usize {
+    fn add_best_branches(&mut self, shortest: &Shortest, gain: f32, gains: &mut [f32]) -> usize {
         let least_net = 2.0 * self.scale;
         // The best end of each branch that leaves the tree, by the branch's first voxel.
         let mut ends: Vec<(f32, u32)> = Vec::new();
@@ -351,20 +358,94 @@ impl Growth<'_> {
             self.add_path(&path);
             added += 1;
         }
-        let _ = cost;
         self.branches += added;
         added
     }
 
-    /// Adds a path given from its end back to the tree; stops where it meets the tree.
+    /// Adds a path given from its end back to the tree, from where it leaves the tree for the last time.
     fn add_path(&mut self, path: &[u32]) {
-        for step in path.windows(2) {
-            let [child, parent] = [step[0], step[1]];
-            if self.in_tree[child as usize] {
-                break;
-            }
-            self.edges.push([parent, child]);
-            self.add_voxel(child);
+        let joint = path.iter().position(|&voxel| self.in_tree[voxel as usize]).unwrap_or(path.len() - 1);
+        for step in path[..=joint].windows(2).rev() {
+            self.edges.push([step[1], step[0]]);
+            self.add_voxel(step[0]);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::start::testing::{letters, picture, targets};
+    use crate::view::Image;
+
+    #[test]
+    fn grows_one_tree_that_meets_every_stroke() {
+        let targets = letters();
+        let grid = Grid::new(&targets, [0.55; 3], 64).unwrap();
+        let tree = grow_tree(&grid, &targets, &TreeOptions::default(), &mut |_| true).unwrap();
+        assert!(tree.met_share.iter().all(|&share| share > 0.99), "{:?}", tree.met_share);
+        // One tree: n - 1 edges, each child new and its parent known.
+        let mut known = std::collections::HashSet::from([tree.root]);
+        for &[parent, child] in &tree.edges {
+            assert!(known.contains(&parent), "a branch hangs in the air");
+            assert!(known.insert(child), "a loop");
+        }
+        // What it meets it also draws: every line pixel has a tree voxel near, which a pruned tree does not achieve.
+        let far = |edges: &[[u32; 2]]| {
+            let mut far = 0;
+            for (plane, pixel) in tree.planes.iter().zip(&grid.pixel) {
+                let drawn: Vec<[usize; 2]> = edges
+                    .iter()
+                    .map(|edge| pixel[edge[1] as usize] as usize)
+                    .map(|p| [p % plane.width, p / plane.width])
+                    .collect();
+                far += (0..plane.lines.len())
+                    .filter(|&i| plane.lines[i])
+                    .filter(|&i| {
+                        drawn.iter().all(|d| {
+                            let (dx, dy) = (d[0].abs_diff(i % plane.width), d[1].abs_diff(i / plane.width));
+                            dx * dx + dy * dy > 36
+                        })
+                    })
+                    .count();
+            }
+            far
+        };
+        assert_eq!(far(&tree.edges), 0);
+        assert!(far(&tree.edges[..tree.edges.len() / 2]) > 0, "the check can fail");
+    }
+
+    #[test]
+    fn same_input_same_tree() {
+        let targets = letters();
+        let grid = Grid::new(&targets, [0.55; 3], 48).unwrap();
+        let options = TreeOptions { across: 48, ..TreeOptions::default() };
+        let grow = || grow_tree(&grid, &targets, &options, &mut |_| true).unwrap().edges;
+        assert_eq!(grow(), grow());
+    }
+
+    #[test]
+    fn blank_and_disjoint_drawings_are_refused() {
+        let grow = |drawings: [Image; 2]| {
+            let targets = targets(drawings.to_vec());
+            let grid = Grid::new(&targets, [0.55; 3], 32)?;
+            grow_tree(&grid, &targets, &TreeOptions { across: 32, ..TreeOptions::default() }, &mut |_| true)
+        };
+        let upper = picture(|x, y| (0.3..0.7).contains(&x) && (0.2..0.3).contains(&y));
+        let lower = picture(|x, y| (0.3..0.7).contains(&x) && (0.7..0.8).contains(&y));
+        assert!(matches!(grow([upper.clone(), Image::new(128, 128)]), Err(Error::Picture { .. })));
+        assert!(matches!(grow([upper.clone(), lower]), Err(Error::Pictures { .. })));
+        let mut dot = Image::new(128, 128);
+        dot.data[128 * 32 + 64] = 1.0;
+        assert!(grow([upper.clone(), dot]).is_err(), "one pixel is below what the grid can see");
+        assert!(grow([upper.clone(), upper]).is_ok());
+    }
+
+    #[test]
+    fn stops_when_told() {
+        let targets = letters();
+        let grid = Grid::new(&targets, [0.55; 3], 64).unwrap();
+        let tree = grow_tree(&grid, &targets, &TreeOptions::default(), &mut |_| false).unwrap();
+        assert!(tree.branches > 0 && tree.met_share.iter().any(|&share| share < 0.9));
     }
 }
