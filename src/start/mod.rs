@@ -1,7 +1,10 @@
 //! Where a wire starts: arranging and bending drawings, the voxel tree and its trail, hull and ball tours.
 
+mod arrange;
+mod boxfit;
 mod fit;
 mod grid;
+mod placing;
 mod plane;
 mod shortest;
 #[cfg(test)]
@@ -9,8 +12,11 @@ mod testing;
 mod trail;
 mod tree;
 
+pub use arrange::{ArrangeOptions, Arrangement, Drawing, Placement, arrange};
+pub use boxfit::{BoxFit, fit_box};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
+pub use placing::Orientation;
 pub use trail::{TrailOptions, path_along};
 pub use tree::{Tree, TreeOptions, grow_tree};
 
