@@ -133,12 +133,10 @@ mod tests {
                 let low = derivative(&KNOTS, k, t - step, order - 1);
                 let high = derivative(&KNOTS, k, t + step, order - 1);
                 let exact = derivative(&KNOTS, k, t, order);
-                let next = derivative(&KNOTS, k, t, order - 1);
                 for i in 0..4 {
                     let difference = (high[i] - low[i]) / (2.0 * step);
                     let scale = 1.0 + exact[i].abs();
                     assert!((difference - exact[i]).abs() < 1e-6 * scale, "order {order}: {difference} {}", exact[i]);
-                    let _ = next;
                 }
                 let off = (0..4).any(|i| ((high[i] - low[i]) / (2.0 * step) - 1.01 * exact[i]).abs() > 1e-4);
                 assert!(off, "the comparison sees one per cent");

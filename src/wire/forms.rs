@@ -53,3 +53,54 @@ fn interpolating_bezier(through: &[[f64; 4]; 4]) -> [[f64; 4]; 4] {
     };
     [*a, inner(a, b, c, d), inner(d, c, b, a), *d]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_wires::{all_wires, distance};
+    use super::*;
+
+    #[test]
+    fn baselines_have_as_many_points_and_follow_the_wire() {
+        // A gentle helix, as smooth as what three spans a segment can follow.
+        let points: Vec<_> =
+            (0..61).map(|i| f64::from(i) * 0.1).map(|a| [a.cos(), 0.1 * a, a.sin(), 0.02 + 0.001 * a]).collect();
+        for closed in [false, true] {
+            let wire = Wire::uniform(Form::Spline, closed, points.clone()).unwrap();
+            for (form, count) in [(Form::Chain, if closed { 60 } else { 61 }), (Form::Bag, 60)] {
+                let other = wire.to_form(form).unwrap();
+                assert_eq!((other.form(), other.control_points().len()), (form, count));
+                assert_eq!(other.closed(), closed && form == Form::Chain);
+                // Parameters stretch, so that equal fractions of the domains are equal places. The ends, where
+                // clamped knots or the seam bend the parameter, stay out.
+                let error = |shift: f64| {
+                    (5..45)
+                        .map(|i| (f64::from(i) + 0.3) / 50.0)
+                        .map(|fraction| {
+                            let at = |wire: &Wire, fraction: f64| wire.evaluate(wire.domain().1 * fraction);
+                            distance(&at(&wire, fraction), &at(&other, fraction + shift))
+                        })
+                        .fold(0.0, f64::max)
+                };
+                assert!(error(0.0) < 2e-3, "{form:?}: {}", error(0.0));
+                assert!(error(0.01) > 1e-2);
+            }
+        }
+    }
+
+    #[test]
+    fn every_form_turns_into_every_other_with_widths_in_range() {
+        for wire in all_wires(4) {
+            for form in [Form::Spline, Form::Chain, Form::Bag] {
+                match wire.to_form(form) {
+                    Ok(other) => {
+                        let most = wire.control_points().iter().map(|p| p[3]).fold(0.0, f64::max);
+                        assert!(other.control_points().iter().all(|p| p[3] > 0.0 && p[3] <= most));
+                        assert!(wire.control_points().len() - other.control_points().len() < 4);
+                    }
+                    Err(error) => assert!(wire.control_points().len() < 8, "{error}"),
+                }
+            }
+        }
+        assert_eq!(all_wires(4)[0].to_form(Form::Chain).unwrap(), all_wires(4)[0]);
+    }
+}

@@ -16,7 +16,7 @@ pub const MAX_COORDINATE: f64 = 1e4;
 /// Largest absolute knot.
 pub const MAX_KNOT: f64 = 1e6;
 /// Least distance of two different knots, so that the jerk's `1 / D⁵` stays finite in `f32`.
-pub const MIN_KNOT_SPACING: f64 = 1e-6;
+pub const MIN_KNOT_SPACING: f64 = 1e-5;
 
 /// A non-empty knot interval: one cubic polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,7 +119,15 @@ pub(super) fn validate_knots(form: Form, closed: bool, count: usize, mut knots: 
         return Err(wire_error("its knots fall", "sort them in ascending order"));
     }
     if closed {
-        make_periodic(count, &mut knots)?;
+        let given = knots.clone();
+        make_periodic(count, &mut knots);
+        let tolerance = 1e-9 * (knots[count + 3] - knots[3] + knots[3].abs());
+        if knots.iter().zip(&given).any(|(exact, given)| (exact - given).abs() > tolerance) {
+            return Err(wire_error(
+                "its knots are not periodic",
+                "let knots[i + n] - knots[i] be the same for every i, n the number of control points",
+            ));
+        }
     } else if knots[0] != knots[3] || knots[count] != knots[count + 3] {
         return Err(wire_error("its knots are not clamped", "repeat the first and the last knot four times"));
     }
@@ -141,7 +149,7 @@ pub(super) fn validate_knots(form: Form, closed: bool, count: usize, mut knots: 
     if form != Form::Spline {
         let repeat = form.multiplicity();
         let last = if closed { count + 3 } else { count };
-        if (3..last).any(|k| (knots[k] < knots[k + 1]) != ((k - 3) % repeat == 0)) {
+        if (3..last).any(|k| (knots[k] < knots[k + 1]) != (k - 3).is_multiple_of(repeat)) {
             return Err(wire_error(
                 "its knots do not cut it into Bézier segments",
                 format!("repeat each interior knot exactly {repeat} times"),
@@ -151,22 +159,17 @@ pub(super) fn validate_knots(form: Form, closed: bool, count: usize, mut knots: 
     Ok(knots)
 }
 
-/// The knots before `knots[3]` and after `knots[n + 3]` follow from those between; `n` control points.
-fn make_periodic(count: usize, knots: &mut [f64]) -> Result<()> {
-    let period = knots[count + 3] - knots[3];
-    let tolerance = 1e-9 * (period + knots[3].abs());
-    for i in (0..3).chain(count + 4..count + 7) {
-        let exact = if i < 3 { knots[i + count] - period } else { knots[i - count] + period };
-        // The negation also catches NaN.
-        if !((exact - knots[i]).abs() <= tolerance) {
-            return Err(wire_error(
-                "its knots are not periodic",
-                "let knots[i + n] - knots[i] be the same for every i, n the number of control points",
-            ));
-        }
-        knots[i] = exact;
+/// Fills in the knots before `knots[3]` and after `knots[n + 3]` from those between; `n` control points.
+pub(super) fn make_periodic(count: usize, knots: &mut [f64]) {
+    let (start, end) = (knots[3], knots[count + 3]);
+    let period = end - start;
+    // Copies of the end and the start must hit them to the last bit, or a repeated knot would fall apart.
+    for i in 0..3 {
+        knots[i] = if knots[i + count] == end { start } else { knots[i + count] - period };
     }
-    Ok(())
+    for i in 4..7 {
+        knots[i + count] = if knots[i] == start { end } else { knots[i] + period };
+    }
 }
 
 pub(super) fn wire_error(problem: impl Into<String>, remedy: impl Into<String>) -> Error {

@@ -96,6 +96,13 @@ impl<R: Real> LinearMap<R> {
         }
     }
 
+    /// The same map in another precision.
+    pub fn cast<S: Real>(&self) -> LinearMap<S> {
+        let cast = |weight: R| S::from_f64(weight.to_f64().unwrap_or(f64::NAN));
+        let rows = self.rows.iter().map(|row| Row { first: row.first, weights: row.weights.map(cast) }).collect();
+        LinearMap { columns: self.columns, rows }
+    }
+
     /// One row of [`LinearMap::apply`].
     #[inline]
     pub(super) fn apply_row(&self, row: usize, inputs: &[[R; 4]]) -> [R; 4] {
@@ -143,4 +150,90 @@ fn combine<R: Real>(weights: &[R; 4], window: &[[R; 4]; 4]) -> [R; 4] {
             + weights[3] * window[3][c];
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_wires::{all_wires, few_cases};
+    use super::*;
+    use crate::rng::Rng;
+
+    fn random<R: Real>(count: usize, rng: &mut Rng) -> Vec<[R; 4]> {
+        (0..count).map(|_| [0; 4].map(|_| R::from_f64(rng.range(-1.0, 1.0)))).collect()
+    }
+
+    fn dot<R: Real>(a: &[[R; 4]], b: &[[R; 4]]) -> f64 {
+        let product = |(x, y): (&R, &R)| x.to_f64().unwrap() * y.to_f64().unwrap();
+        a.iter().flatten().zip(b.iter().flatten()).map(product).sum()
+    }
+
+    /// `<M x, y> - <x, Mᵀ y>` for random x and y.
+    fn adjoint_gap<R: Real>(forward: &LinearMap<R>, backward: &LinearMap<R>, rng: &mut Rng) -> f64 {
+        let x = random::<R>(forward.columns(), rng);
+        let y = random::<R>(forward.rows().len(), rng);
+        let mut mx = Vec::new();
+        forward.apply(&x, &mut mx);
+        let mut mty = vec![[R::zero(); 4]; x.len()];
+        backward.apply_transpose(&y, &mut mty);
+        (dot(&mx, &y) - dot(&x, &mty)).abs()
+    }
+
+    fn all_maps(seed: u64) -> Vec<LinearMap<f64>> {
+        let mut maps = Vec::new();
+        for wire in all_wires(seed) {
+            let middles: Vec<f64> = wire.spans().map(|span| span.at(0.5)).collect();
+            maps.push(wire.bezier_map());
+            maps.push(wire.subdivision_map(&vec![3; wire.spans().count()]));
+            maps.push(wire.sampling_map(5, false).0);
+            maps.push(wire.sampling_map(5, true).0);
+            maps.push(wire.insert_knots(&middles).unwrap().1);
+        }
+        maps
+    }
+
+    proptest::proptest! {
+        #![proptest_config(few_cases())]
+        #[test]
+        fn transpose_is_the_adjoint(seed in 0u64..1000) {
+            let mut rng = Rng::new(seed, 9);
+            for map in all_maps(seed) {
+                proptest::prop_assert!(adjoint_gap(&map, &map, &mut rng) < 1e-12);
+                let single = map.cast::<f32>();
+                proptest::prop_assert!(adjoint_gap(&single, &single, &mut rng) < 1e-4);
+                let mut rows = map.rows().to_vec();
+                rows[seed as usize % map.rows().len()].weights.rotate_left(1);
+                let other = LinearMap::new(map.columns(), rows);
+                proptest::prop_assert!(adjoint_gap(&map, &other, &mut rng) > 1e-9, "one other row is noticed");
+            }
+        }
+    }
+
+    #[test]
+    fn agrees_with_the_plain_sum() {
+        let mut rng = Rng::new(1, 1);
+        for map in all_maps(2) {
+            let x = random::<f64>(map.columns(), &mut rng);
+            let mut outputs = vec![[7.0; 4]; 3];
+            map.apply(&x, &mut outputs);
+            assert_eq!(outputs.len(), map.rows().len());
+            for (row, output) in map.rows().iter().zip(&outputs) {
+                for c in 0..4 {
+                    let sum: f64 =
+                        (0..4).map(|k| row.weights[k] * x[(row.first as usize + k) % map.columns()][c]).sum();
+                    assert!((sum - output[c]).abs() < 1e-14);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn buffers_are_kept() {
+        let map = &all_maps(3)[2];
+        let x = random::<f64>(map.columns(), &mut Rng::new(1, 2));
+        let mut outputs = Vec::new();
+        map.apply(&x, &mut outputs);
+        let address = outputs.as_ptr();
+        map.apply(&x, &mut outputs);
+        assert_eq!(address, outputs.as_ptr());
+    }
 }

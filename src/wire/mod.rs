@@ -174,7 +174,7 @@ impl Wire {
 
     /// Derivative of `order` with respect to the parameter, from the right where knots make it jump.
     pub fn derivative(&self, t: f64, order: usize) -> [f64; 4] {
-        let t = self.into_domain(t);
+        let t = self.clamp_or_wrap(t);
         let k = self.find_span(t);
         self.combine(k, &basis::derivative(&self.knots, k, t, order))
     }
@@ -184,7 +184,7 @@ impl Wire {
         self.knots.len() - 4
     }
 
-    fn into_domain(&self, t: f64) -> f64 {
+    fn clamp_or_wrap(&self, t: f64) -> f64 {
         let (start, end) = self.domain();
         if self.closed && !(start..=end).contains(&t) {
             start + (t - start).rem_euclid(end - start)
@@ -233,4 +233,127 @@ fn check_control_points(control_points: &[[f64; 4]]) -> Result<()> {
 }
 
 #[cfg(test)]
-mod tests;
+mod test_wires;
+
+#[cfg(test)]
+mod tests {
+    use super::test_wires::{all_wires, distance};
+    use super::*;
+
+    fn points(count: usize) -> Vec<[f64; 4]> {
+        (0..count).map(|i| [i as f64 * 0.1, (i * i % 7) as f64 * 0.1, 0.3, 0.02]).collect()
+    }
+
+    #[test]
+    fn open_wires_touch_their_end_points_and_stay_there_beyond() {
+        let wire = Wire::open_uniform(points(9)).unwrap();
+        assert_eq!(wire.knots(), [0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 6.0, 6.0, 6.0]);
+        assert_eq!(wire.domain(), (0.0, 6.0));
+        assert_eq!(wire.spans().count(), 6);
+        for (t, point) in [(0.0, 0), (-5.0, 0), (6.0, 8), (1e300, 8)] {
+            assert!(distance(&wire.evaluate(t), &wire.control_points()[point]) < 1e-15);
+        }
+    }
+
+    #[test]
+    fn closed_wires_go_round() {
+        let wire = Wire::closed_uniform(points(9)).unwrap();
+        assert_eq!(wire.knots().len(), 16);
+        assert_eq!(wire.domain(), (0.0, 9.0));
+        assert_eq!(wire.spans().count(), 9);
+        for t in [0.0, 0.3, 4.0, 8.7] {
+            for order in 0..3 {
+                let here = wire.derivative(t, order);
+                assert!(distance(&here, &wire.derivative(t + 9.0, order)) < 1e-12);
+                assert!(distance(&here, &wire.derivative(t - 18.0, order)) < 1e-12);
+                assert!(distance(&here, &wire.derivative(t + 1.0, order)) > 1e-3, "another place is another point");
+            }
+        }
+    }
+
+    #[test]
+    fn baseline_layouts_are_bezier_splines() {
+        let chain = Wire::uniform(Form::Chain, false, points(7)).unwrap();
+        assert_eq!(chain.knots(), [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0]);
+        let ring = Wire::uniform(Form::Chain, true, points(6)).unwrap();
+        assert_eq!(ring.knots(), [-1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0]);
+        let bag = Wire::uniform(Form::Bag, false, points(8)).unwrap();
+        assert_eq!(bag.knots(), [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0]);
+        for wire in [chain, ring, bag] {
+            assert_eq!(wire.spans().count(), 2);
+            let second = wire.spans().nth(1).unwrap().first;
+            assert!(distance(&wire.evaluate(1.0), &wire.control_points()[second]) < 1e-15);
+        }
+    }
+
+    #[test]
+    fn hostile_parts_are_refused_in_words() {
+        let good = Wire::open_uniform(points(6)).unwrap();
+        let with_point = |point: [f64; 4]| {
+            let mut bad = points(6);
+            bad[2] = point;
+            bad
+        };
+        let new = |closed, knots: &[f64], points| Wire::new(Form::Spline, closed, knots.to_vec(), points);
+        assert!(new(false, good.knots(), points(6)).is_ok());
+        let mut cases = vec![
+            (Wire::open_uniform(vec![]), "0 control points"),
+            (Wire::open_uniform(points(3)), "3 control points"),
+            (Wire::closed_uniform(vec![[0.0; 4]; 20_001]), "20001 control points"),
+            (Wire::open_uniform(with_point([f64::NAN, 0.0, 0.0, 0.0])), "control point 2 is not finite"),
+            (Wire::open_uniform(with_point([0.0, f64::INFINITY, 0.0, 0.0])), "control point 2 is not finite"),
+            (Wire::open_uniform(with_point([0.0, 1e300, 0.0, 0.0])), "far outside"),
+            (Wire::open_uniform(with_point([0.0, 0.0, 0.0, -1e-9])), "negative width"),
+            (Wire::uniform(Form::Chain, false, points(6)), "whole number"),
+            (Wire::uniform(Form::Chain, true, points(7)), "whole number"),
+            (Wire::uniform(Form::Chain, true, points(3)), "3 control points"),
+            (Wire::uniform(Form::Bag, false, points(6)), "whole number"),
+            (Wire::uniform(Form::Bag, true, points(8)), "cannot be closed"),
+            (Wire::new(Form::Chain, false, (0..11).map(f64::from).collect(), points(7)), "clamped"),
+            (new(true, good.knots(), points(6)), "come with 10 knots"),
+        ];
+        for (knots, problem) in [
+            (&[0.0; 10], "repeated too often"),
+            (&[0.0, 0.0, 0.0, 0.0, 2.0, 1.0, 3.0, 3.0, 3.0, 3.0], "fall"),
+            (&[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.0, 3.0, 3.0, 3.0], "repeated too often"),
+            (&[0.0, 0.0, 0.0, 0.0, 1.0, 3.0, 3.0, 3.0, 3.0, 3.0], "repeated too often"),
+            (&[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.1], "clamped"),
+            (&[-1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0], "clamped"),
+            (&[0.0, 0.0, 0.0, 0.0, 1.0, 1.0 + 1e-9, 3.0, 3.0, 3.0, 3.0], "nearly coincide"),
+            (&[0.0, 0.0, 0.0, 0.0, 1.0, f64::NAN, 3.0, 3.0, 3.0, 3.0], "usable number"),
+            (&[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 1e9, 1e9, 1e9, 1e9], "usable number"),
+        ] {
+            cases.push((new(false, knots, points(6)), problem));
+        }
+        let mut knots: Vec<f64> = (0..13).map(f64::from).collect();
+        assert!(new(true, &knots, points(6)).is_ok());
+        knots[1] -= 0.25;
+        cases.push((new(true, &knots, points(6)), "periodic"));
+        cases.push((new(true, &[1.0; 13], points(6)), "repeated too often"));
+        for (result, problem) in cases {
+            let message = result.expect_err(problem).to_string();
+            assert!(message.contains(problem), "{message} says {problem}");
+        }
+    }
+
+    #[test]
+    fn setting_control_points_checks_and_changes_nothing_on_error() {
+        let mut wire = Wire::open_uniform(points(6)).unwrap();
+        let before = wire.clone();
+        assert!(wire.set_control_points(&points(5)).is_err());
+        assert!(wire.set_control_points(&[[0.0, f64::NAN, 0.0, 0.0]; 6]).is_err());
+        assert_eq!(wire, before);
+        wire.set_control_points(&[[0.5; 4]; 6]).unwrap();
+        assert!(distance(&wire.evaluate(1.5), &[0.5; 4]) < 1e-15);
+    }
+
+    #[test]
+    fn text_round_trip_is_exact_and_checked() {
+        for wire in all_wires(5) {
+            let text = serde_json::to_string(&wire).unwrap();
+            assert_eq!(serde_json::from_str::<Wire>(&text).unwrap(), wire);
+            assert!(serde_json::from_str::<Wire>(&text.replacen('[', "[7,", 1)).is_err(), "one knot too many");
+        }
+        assert_eq!(serde_json::to_string(&Form::Chain).unwrap(), "\"chain\"");
+    }
+}
