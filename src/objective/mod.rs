@@ -1,1 +1,10 @@
-//! objective
+//! What makes a wire good: image losses over a pyramid, regularisers of the curve, and targets that bend a little.
+
+mod mmse;
+mod regularisers;
+mod straight;
+mod warp;
+
+pub use mmse::{MultiscaleMse, Pyramid};
+pub use regularisers::length_and_gradient;
+pub use warp::{Displacement, Warp, WarpWeights};

@@ -1,1 +1,27 @@
-//! optimize
+//! Pulls a wire towards its targets: problem and recipe (pure data), session, engines, Adam, edits of the topology.
+
+mod adam;
+mod bending;
+mod checkpoint;
+mod cpu;
+mod engine;
+mod history;
+mod problem;
+mod recipe;
+mod reinit;
+mod schedule;
+mod session;
+mod topology;
+
+pub use adam::{Adam, AdamOptions, SecondMoment};
+pub use bending::Bending;
+pub use checkpoint::Checkpoint;
+pub use cpu::CpuEngine;
+pub use engine::{Engine, Scene, SceneView, State, Step, term_count};
+pub use history::{Event, EventKind, History};
+pub use problem::{Problem, WidthBounds};
+pub use recipe::{RasterKind, Recipe, Stage};
+pub use reinit::{NewPoint, Reinit};
+pub use schedule::Schedule;
+pub use session::Session;
+pub use topology::{Moment, Refine, TopologyEdit, TopologyEvent};

@@ -1,0 +1,314 @@
+//! A target that bends a little: one spline displacement field a view, resampling the clean ink, with its gradient.
+//!
+//! `bent(x) = clean(x + d(x))`, d a uniform cubic B-spline over a `grid` x `grid` net of control vectors in pixels of a
+//! 256 px picture (larger side), whatever size is fitted. The resampling always starts from the clean ink.
+
+use super::straight::Straightness;
+use crate::view::Image;
+use crate::wire::Real;
+
+/// Weights that keep a field small and smooth. All energies are in squared pixels at 256.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct WarpWeights {
+    /// On the mean squared difference of neighbouring control vectors.
+    pub smooth: f64,
+    /// On the mean squared length of control vectors.
+    pub magnitude: f64,
+    /// On the mean squared sagitta that straight strokes gain, see [`Warp`]: strokes may move, turn and stretch but
+    /// resist being curved, and that keeps letters upright and legible.
+    pub straight: f64,
+}
+
+/// How far ink has moved.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+pub struct Displacement {
+    /// Mean over the bent ink, pixels at 256.
+    pub mean_px: f64,
+    /// Largest over the bent ink, pixels at 256.
+    pub max_px: f64,
+}
+
+/// Uniform cubic B-spline weights and the first of the four control values they belong to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Basis<R> {
+    pub first: usize,
+    pub weights: [R; 4],
+}
+
+/// The cell and the offset within it of `share` (0 to 1) of the way along a net of `grid` control values.
+pub(super) fn cell(share: f64, grid: usize) -> (usize, f64) {
+    let t = share * (grid - 3) as f64;
+    let first = (t.max(0.0) as usize).min(grid - 4);
+    (first, t - first as f64)
+}
+
+fn bases<R: Real>(count: usize, grid: usize) -> Vec<Basis<R>> {
+    (0..count)
+        .map(|i| {
+            let (first, u) = cell((i as f64 + 0.5) / count as f64, grid);
+            let v = 1.0 - u;
+            let weights = [
+                v * v * v / 6.0,
+                (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0,
+                (3.0 * v * v * v - 6.0 * v * v + 4.0) / 6.0,
+                u * u * u / 6.0,
+            ];
+            Basis { first, weights: weights.map(R::from_f64) }
+        })
+        .collect()
+}
+
+/// Resamples one view's ink through a displacement field, and back.
+#[derive(Debug, Clone)]
+pub struct Warp<R> {
+    grid: usize,
+    width: usize,
+    height: usize,
+    /// Pixels of this picture in one pixel at 256.
+    scale: R,
+    clean: Vec<R>,
+    columns: Vec<Basis<R>>,
+    rows: Vec<Basis<R>>,
+    straightness: Straightness<R>,
+    /// Control vectors already blended for one row of pixels, and their adjoints.
+    row_field: Vec<[R; 2]>,
+    d_row_field: Vec<[R; 2]>,
+}
+
+/// A displaced sample: its four texels' indices, its offsets within them, and whether it was held at the border.
+struct Tap<R> {
+    texels: [usize; 4],
+    u: R,
+    v: R,
+    free: [bool; 2],
+}
+
+impl<R: Real> Warp<R> {
+    /// For `ink` at the size that is fitted, with a net of `grid` x `grid` control vectors (at least 4).
+    pub fn new(ink: &Image, grid: usize) -> Self {
+        let grid = grid.max(4);
+        Warp {
+            grid,
+            width: ink.width,
+            height: ink.height,
+            scale: R::from_f64(ink.width.max(ink.height) as f64 / 256.0),
+            clean: ink.data.iter().map(|&v| R::from_f64(f64::from(v))).collect(),
+            columns: bases(ink.width, grid),
+            rows: bases(ink.height, grid),
+            straightness: Straightness::new(ink, grid),
+            row_field: vec![[R::zero(); 2]; grid],
+            d_row_field: vec![[R::zero(); 2]; grid],
+        }
+    }
+
+    /// Number of control vectors, row by row from the top left.
+    pub fn control_count(&self) -> usize {
+        self.grid * self.grid
+    }
+
+    fn blend_row(&mut self, field: &[[R; 2]], y: usize) {
+        let Basis { first, weights } = self.rows[y];
+        let row = |k: usize| &field[(first + k) * self.grid..(first + k + 1) * self.grid];
+        let rows = [row(0), row(1), row(2), row(3)];
+        for (i, out) in self.row_field.iter_mut().enumerate() {
+            for c in 0..2 {
+                out[c] = weights[0] * rows[0][i][c]
+                    + weights[1] * rows[1][i][c]
+                    + weights[2] * rows[2][i][c]
+                    + weights[3] * rows[3][i][c];
+            }
+        }
+    }
+
+    /// The displacement at column `x` of the row last blended, pixels at 256.
+    #[inline]
+    fn displacement_at(&self, x: usize) -> [R; 2] {
+        let Basis { first, weights } = &self.columns[x];
+        let v = &self.row_field[*first..first + 4];
+        [0, 1].map(|c| weights[0] * v[0][c] + weights[1] * v[1][c] + weights[2] * v[2][c] + weights[3] * v[3][c])
+    }
+
+    #[inline]
+    fn tap(&self, x: usize, y: usize, displacement: [R; 2]) -> Tap<R> {
+        let along = |i: usize, d: R, count: usize| {
+            let wanted = R::from_f64(i as f64) + self.scale * d;
+            let last = R::from_f64((count - 1) as f64);
+            let at = wanted.max(R::zero()).min(last);
+            let low = at.to_usize().unwrap_or(0).min(count.saturating_sub(2));
+            (low, (low + 1).min(count - 1), at - R::from_f64(low as f64), wanted == at)
+        };
+        let (x0, x1, u, free_x) = along(x, displacement[0], self.width);
+        let (y0, y1, v, free_y) = along(y, displacement[1], self.height);
+        let w = self.width;
+        Tap { texels: [y0 * w + x0, y0 * w + x1, y1 * w + x0, y1 * w + x1], u, v, free: [free_x, free_y] }
+    }
+
+    /// Writes the bent ink: bilinear samples of the clean ink at `x + d(x)`.
+    pub fn bend(&mut self, field: &[[R; 2]], bent: &mut [R]) {
+        let one = R::one();
+        for y in 0..self.height {
+            self.blend_row(field, y);
+            for x in 0..self.width {
+                let Tap { texels, u, v, .. } = self.tap(x, y, self.displacement_at(x));
+                let [a, b, c, d] = texels.map(|t| self.clean[t]);
+                bent[y * self.width + x] = (one - v) * ((one - u) * a + u * b) + v * ((one - u) * c + u * d);
+            }
+        }
+    }
+
+    /// Adjoint of [`Warp::bend`]: `d_field += (∂bent/∂field)ᵀ d_bent`.
+    pub fn bend_vjp(&mut self, field: &[[R; 2]], d_bent: &[R], d_field: &mut [[R; 2]]) {
+        let one = R::one();
+        for y in 0..self.height {
+            self.blend_row(field, y);
+            self.d_row_field.fill([R::zero(); 2]);
+            for x in 0..self.width {
+                let d = d_bent[y * self.width + x];
+                if d == R::zero() {
+                    continue;
+                }
+                let Tap { texels, u, v, free } = self.tap(x, y, self.displacement_at(x));
+                let [a, b, c, e] = texels.map(|t| self.clean[t]);
+                let slope = [(one - v) * (b - a) + v * (e - c), (one - u) * (c - a) + u * (e - b)];
+                let Basis { first, weights } = &self.columns[x];
+                for axis in (0..2).filter(|&axis| free[axis]) {
+                    let pull = d * slope[axis] * self.scale;
+                    for k in 0..4 {
+                        let out = &mut self.d_row_field[first + k][axis];
+                        *out = *out + weights[k] * pull;
+                    }
+                }
+            }
+            let Basis { first, weights } = self.rows[y];
+            for k in 0..4 {
+                let out = &mut d_field[(first + k) * self.grid..(first + k + 1) * self.grid];
+                for (out, d) in out.iter_mut().zip(&self.d_row_field) {
+                    for c in 0..2 {
+                        out[c] = out[c] + weights[k] * d[c];
+                    }
+                }
+            }
+        }
+    }
+
+    /// The energy that keeps the field small, smooth and kind to straight strokes; adds its gradient to `d_field`.
+    pub fn regularise(&self, field: &[[R; 2]], weights: &WarpWeights, d_field: &mut [[R; 2]]) -> R {
+        let share = 1.0 / self.control_count() as f64;
+        let (smooth, magnitude) = (R::from_f64(weights.smooth * share), R::from_f64(weights.magnitude * share));
+        let (grid, two) = (self.grid, R::from_f64(2.0));
+        let mut energy = R::zero();
+        for i in 0..field.len() {
+            for c in 0..2 {
+                energy = energy + magnitude * field[i][c] * field[i][c];
+                d_field[i][c] = d_field[i][c] + two * magnitude * field[i][c];
+            }
+            let right = (i % grid + 1 < grid).then_some(i + 1);
+            let below = (i + grid < field.len()).then_some(i + grid);
+            for j in right.into_iter().chain(below) {
+                for c in 0..2 {
+                    let step = field[j][c] - field[i][c];
+                    energy = energy + smooth * step * step;
+                    d_field[j][c] = d_field[j][c] + two * smooth * step;
+                    d_field[i][c] = d_field[i][c] - two * smooth * step;
+                }
+            }
+        }
+        energy + self.straightness.energy_and_gradient(field, R::from_f64(weights.straight), d_field)
+    }
+
+    /// How far the ink of `bent`, made from this field, has moved.
+    pub fn displacement(&mut self, field: &[[R; 2]], bent: &[R]) -> Displacement {
+        let (mut sum, mut max, mut count) = (0.0, 0.0f64, 0usize);
+        for y in 0..self.height {
+            self.blend_row(field, y);
+            for x in 0..self.width {
+                if bent[y * self.width + x] > R::from_f64(0.5) {
+                    let length = self.displacement_at(x).map(|c| c.to_f64().unwrap_or(0.0));
+                    let length = length[0].hypot(length[1]);
+                    (sum, max, count) = (sum + length, max.max(length), count + 1);
+                }
+            }
+        }
+        Displacement { mean_px: sum / count.max(1) as f64, max_px: max }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::Rng;
+
+    fn smooth_ink(width: usize, height: usize) -> Image {
+        let mut ink = Image::new(width, height);
+        for y in 0..height {
+            for x in 0..width {
+                let (u, v) = (x as f32 / width as f32 - 0.45, y as f32 / height as f32 - 0.55);
+                ink.data[y * width + x] = (-40.0 * (u * u - 0.3 * u * v + v * v - 0.06).powi(2) / 0.02).exp();
+            }
+        }
+        ink
+    }
+
+    fn random_field(count: usize, size: f64) -> Vec<[f64; 2]> {
+        let mut rng = Rng::new(3, 0);
+        (0..count).map(|_| [rng.range(-size, size), rng.range(-size, size)]).collect()
+    }
+
+    #[test]
+    fn no_field_no_change_and_a_constant_field_shifts() {
+        let ink = smooth_ink(32, 20);
+        let mut warp = Warp::<f64>::new(&ink, 6);
+        let mut bent = vec![0.0; 640];
+        warp.bend(&vec![[0.0; 2]; 36], &mut bent);
+        assert!(bent.iter().zip(&ink.data).all(|(&b, &i)| b == f64::from(i)));
+        // 16 px at 256 are two pixels of a picture 32 wide.
+        warp.bend(&vec![[16.0, 0.0]; 36], &mut bent);
+        assert!((bent[10 * 32 + 12] - f64::from(ink.at(14, 10))).abs() < 1e-9);
+        let moved = warp.displacement(&vec![[16.0, 0.0]; 36], &bent);
+        assert!((moved.mean_px - 16.0).abs() < 1e-9 && (moved.max_px - 16.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn gradients_agree_with_central_differences() {
+        let ink = smooth_ink(41, 30);
+        let mut warp = Warp::<f64>::new(&ink, 5);
+        let mut field = random_field(25, 9.0);
+        let mut rng = Rng::new(4, 0);
+        let d_bent: Vec<f64> = (0..41 * 30).map(|_| rng.range(-1.0, 1.0)).collect();
+        let weights = WarpWeights { smooth: 0.3, magnitude: 0.1, straight: 50.0 };
+        let mut gradient = vec![[0.0; 2]; 25];
+        warp.bend_vjp(&field, &d_bent, &mut gradient);
+        warp.regularise(&field, &weights, &mut gradient);
+        let mut bent = vec![0.0; 41 * 30];
+        let mut value = |field: &[[f64; 2]], weights: &WarpWeights| {
+            warp.bend(field, &mut bent);
+            let image: f64 = bent.iter().zip(&d_bent).map(|(b, d)| b * d).sum();
+            image + warp.regularise(field, weights, &mut vec![[0.0; 2]; 25])
+        };
+        let mut off = |weights: &WarpWeights| {
+            let (mut worst, mut scale) = (0.0f64, 0.0f64);
+            for i in 0..25 {
+                for c in 0..2 {
+                    let (h, before) = (1e-5, field[i][c]);
+                    field[i][c] = before + h;
+                    let above = value(&field, weights);
+                    field[i][c] = before - h;
+                    let below = value(&field, weights);
+                    field[i][c] = before;
+                    worst = worst.max(((above - below) / (2.0 * h) - gradient[i][c]).abs());
+                    scale = scale.max(gradient[i][c].abs());
+                }
+            }
+            worst / scale
+        };
+        let right = off(&weights);
+        assert!(right < 1e-4, "relative error {right}");
+        for other in [
+            WarpWeights { smooth: 0.2, ..weights },
+            WarpWeights { magnitude: 0.0, ..weights },
+            WarpWeights { straight: 0.0, ..weights },
+        ] {
+            assert!(off(&other) > 1e-3, "{other:?} is another energy");
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The processor's engine: samples, then each view on its own (in parallel with the `threads` feature), then the sum in
+//! view order, so that the number of threads changes no bit.
+
+use super::RasterKind;
+use super::engine::{Engine, Scene, SceneView, Step};
+use crate::objective::{MultiscaleMse, Pyramid, length_and_gradient};
+use crate::raster::{BandRaster, Raster};
+use crate::view::{Camera, Image};
+use crate::wire::{Jerk, LinearMap, Stroke};
+
+/// One view's share of an iteration, with its buffers.
+struct ViewEngine {
+    camera: Camera<f32>,
+    weight: f32,
+    target: Image,
+    raster: Box<dyn Raster>,
+    mse: MultiscaleMse<f32>,
+    vertices: Vec<[f32; 3]>,
+    coverage: Vec<f32>,
+    d_coverage: Vec<f32>,
+    d_vertices: Vec<[f32; 3]>,
+    d_samples: Vec<[f32; 4]>,
+    loss: f32,
+}
+
+impl ViewEngine {
+    fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid) -> Self {
+        let SceneView { camera, target, weight } = view;
+        let raster: Box<dyn Raster> = match raster {
+            RasterKind::Band | RasterKind::Exact => Box::new(BandRaster::new()),
+        };
+        ViewEngine {
+            camera,
+            weight,
+            raster,
+            mse: MultiscaleMse::new(pyramid, target.width, target.height),
+            vertices: Vec::new(),
+            coverage: vec![0.0; target.data.len()],
+            d_coverage: vec![0.0; target.data.len()],
+            d_vertices: Vec::new(),
+            d_samples: Vec::new(),
+            loss: 0.0,
+            target,
+        }
+    }
+
+    /// Project, draw, compare, and all the way back.
+    fn evaluate(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], level_ratio: f32) {
+        self.vertices.clear();
+        self.vertices.extend(samples.iter().map(|sample| {
+            let [x, y, radius] = self.camera.project(sample);
+            [x, y, radius.max(0.0)]
+        }));
+        let coverage = self.raster.forward(self.target.width, self.target.height, &self.vertices, strokes);
+        self.coverage.copy_from_slice(coverage);
+        let (loss, d_coverage) = self.mse.evaluate(&self.coverage, &self.target.data, level_ratio, self.weight);
+        self.loss = loss;
+        self.d_coverage.copy_from_slice(d_coverage);
+        self.raster.backward(&self.d_coverage, &mut self.d_vertices);
+        self.d_samples.clear();
+        let pairs = samples.iter().zip(&self.d_vertices);
+        self.d_samples.extend(pairs.map(|(sample, d_vertex)| self.camera.project_vjp(sample, d_vertex)));
+    }
+}
+
+/// Computes on the processor.
+#[derive(Default)]
+pub struct CpuEngine {
+    scene: Option<Curve>,
+    views: Vec<ViewEngine>,
+    samples: Vec<[f32; 4]>,
+    d_samples: Vec<[f32; 4]>,
+    d_points_image: Vec<[f32; 4]>,
+}
+
+/// The part of a scene that is about the curve.
+struct Curve {
+    sampling: LinearMap<f32>,
+    strokes: Vec<Stroke>,
+    jerk: Jerk<f32>,
+}
+
+impl CpuEngine {
+    /// One without a scene.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+impl Engine for CpuEngine {
+    fn load(&mut self, scene: Scene) {
+        let Scene { sampling, strokes, jerk, views, raster, pyramid } = scene;
+        self.views = views.into_iter().map(|view| ViewEngine::new(view, raster, pyramid)).collect();
+        self.scene = Some(Curve { sampling, strokes, jerk });
+    }
+
+    fn set_target(&mut self, view: usize, ink: &[f32]) {
+        self.views[view].target.data.copy_from_slice(ink);
+    }
+
+    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
+        let Some(Curve { sampling, strokes, jerk }) = &self.scene else { return };
+        sampling.apply(points, &mut self.samples);
+        let samples = &self.samples;
+        for_each_view(&mut self.views, |view| view.evaluate(samples, strokes, step.level_ratio));
+
+        self.d_samples.clear();
+        self.d_samples.resize(samples.len(), [0.0; 4]);
+        for view in &self.views {
+            for (sum, d_sample) in self.d_samples.iter_mut().zip(&view.d_samples) {
+                for c in 0..4 {
+                    sum[c] += d_sample[c];
+                }
+            }
+        }
+        self.d_points_image.clear();
+        self.d_points_image.resize(points.len(), [0.0; 4]);
+        sampling.apply_transpose(&self.d_samples, &mut self.d_points_image);
+        d_points.clone_from(&self.d_points_image);
+
+        let mut length = 0.0;
+        if step.length > 0.0 {
+            self.d_samples.fill([0.0; 4]);
+            length = length_and_gradient(samples, strokes, step.length, &mut self.d_samples);
+            sampling.apply_transpose(&self.d_samples, d_points);
+        }
+        let jerk = jerk.energy_and_gradient(points, step.jerk_position, step.jerk_width, d_points);
+
+        let count = self.views.len();
+        for (term, view) in terms[1..].iter_mut().zip(&self.views) {
+            *term = view.loss;
+        }
+        terms[count + 1] = jerk;
+        terms[count + 2] = length;
+        terms[0] = terms[1..count + 3].iter().sum();
+    }
+
+    fn coverage(&self, view: usize) -> &[f32] {
+        &self.views[view].coverage
+    }
+
+    fn d_coverage(&self, view: usize) -> &[f32] {
+        &self.views[view].d_coverage
+    }
+
+    fn d_points_image(&self) -> &[[f32; 4]] {
+        &self.d_points_image
+    }
+}
+
+/// Runs `work` on each item: one task an item, one join.
+pub(super) fn for_each_view<T: Send>(items: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
+    #[cfg(feature = "threads")]
+    if items.len() > 1 {
+        use rayon::prelude::*;
+        items.par_iter_mut().for_each(work);
+        return;
+    }
+    items.iter_mut().for_each(work);
+}

@@ -1,0 +1,80 @@
+//! What happened in a run: the loss of every iteration, term by term, and the events.
+
+/// What kind of thing happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EventKind {
+    /// A stage began; the count is its number from 1.
+    Stage,
+    /// Adam's moments were zeroed; the count is that of the control points.
+    Restart,
+    /// Control points were re-initialised; the count says how many.
+    Reinit,
+    /// Control points were inserted; the count says how many.
+    Refine,
+    /// A step made numbers that are not finite and was undone, and the rate halved; the count is the number of
+    /// halvings so far.
+    Undone,
+    /// The run is complete; the count is that of its iterations.
+    Done,
+}
+
+/// Something that happened before the iteration of that number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Event {
+    /// Iterations done before it.
+    pub iteration: usize,
+    /// What.
+    pub kind: EventKind,
+    /// How many; see [`EventKind`].
+    pub count: usize,
+}
+
+/// The weighted terms of the loss, one row an iteration. The row of an undone step holds what that step saw, which may
+/// not be finite; such values are stored as 0.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct History {
+    /// Names of the columns: `total`, each view's, `jerk`, `length`.
+    pub columns: Vec<String>,
+    values: Vec<f32>,
+}
+
+impl History {
+    pub(super) fn new(views: impl Iterator<Item = String>, iterations: usize) -> Self {
+        let mut columns = vec!["total".to_owned()];
+        columns.extend(views);
+        columns.extend(["jerk".to_owned(), "length".to_owned()]);
+        let values = Vec::with_capacity(columns.len() * iterations);
+        History { columns, values }
+    }
+
+    /// Rows so far.
+    pub fn len(&self) -> usize {
+        self.values.len() / self.columns.len().max(1)
+    }
+
+    /// Whether there is no row yet.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// The terms of every iteration in order, in the order of the columns.
+    pub fn rows(&self) -> impl DoubleEndedIterator<Item = &[f32]> + ExactSizeIterator {
+        self.values.chunks_exact(self.columns.len().max(1))
+    }
+
+    /// The row of iteration `i`, if it has been done.
+    pub fn row(&self, i: usize) -> Option<&[f32]> {
+        self.rows().nth(i)
+    }
+
+    pub(super) fn push(&mut self, terms: &[f32]) {
+        self.values.extend(terms.iter().map(|&term| if term.is_finite() { term } else { 0.0 }));
+    }
+
+    pub(super) fn is_valid(&self, views: usize) -> bool {
+        self.columns.len() == views + 3
+            && self.values.len().is_multiple_of(self.columns.len())
+            && self.values.iter().all(|value| value.is_finite())
+    }
+}

@@ -1,0 +1,117 @@
+//! What to fit, as pure data: the first wire, what each view should show, and the recipe.
+
+use super::recipe::Recipe;
+use crate::view::Target;
+use crate::wire::Wire;
+use crate::{Error, Result};
+
+/// Hard bounds of the width (full diameter) in world units. Equal bounds give a wire of constant width.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct WidthBounds {
+    /// Thinnest, from 0.
+    pub min_world: f64,
+    /// Thickest.
+    pub max_world: f64,
+}
+
+/// A fit to be done: pure data, all a [`super::Session`] needs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// Where the wire starts.
+    pub wire: Wire,
+    /// What each view should show; at least one.
+    pub targets: Vec<Target>,
+    /// Weight of each view's image loss; empty means 1 each.
+    pub view_weights: Vec<f64>,
+    /// Hard bounds of the width.
+    pub width: WidthBounds,
+    /// How to fit it.
+    pub recipe: Recipe,
+    /// Drives everything random: where re-initialised control points go.
+    pub seed: u64,
+}
+
+/// Pictures beyond this side are refused: an iteration would take seconds.
+const LARGEST_SIDE_PX: usize = 8192;
+
+impl Problem {
+    /// Unit weights and seed 0, and a width from one pixel to twenty of a 256 px picture: thin enough to draw with,
+    /// and never so thin that the wire seems to break.
+    pub fn for_drawings(wire: Wire, targets: Vec<Target>, recipe: Recipe) -> Problem {
+        let px_256 = world_per_px(&targets, 256.0);
+        let width = WidthBounds { min_world: px_256, max_world: 20.0 * px_256 };
+        Problem { wire, targets, view_weights: Vec::new(), width, recipe, seed: 0 }
+    }
+
+    /// Weight of view `v`'s image loss.
+    pub fn view_weight(&self, v: usize) -> f64 {
+        self.view_weights.get(v).copied().unwrap_or(1.0)
+    }
+
+    /// World units in one pixel of pictures whose larger side is `size_px`; the mean over the views, at the origin.
+    pub fn world_per_px(&self, size_px: f64) -> f64 {
+        world_per_px(&self.targets, size_px)
+    }
+
+    /// Refuses what cannot be fitted.
+    ///
+    /// # Errors
+    /// [`Error::Pictures`] without views, [`Error::Picture`] for ink that does not fit its view or is not from 0 to 1,
+    /// [`Error::Setting`] for widths, weights or recipe entries out of range.
+    pub fn check(&self) -> Result<()> {
+        if self.targets.is_empty() {
+            return Err(Error::Pictures {
+                problem: "there is no view to fit".into(),
+                remedy: "give at least one picture".into(),
+            });
+        }
+        for Target { view, ink } in &self.targets {
+            let refuse = |problem: String, remedy: &str| Err(Error::picture(&view.name, problem, remedy));
+            let (width, height) = (ink.width, ink.height);
+            if width == 0 || height == 0 || width.max(height) > LARGEST_SIDE_PX {
+                return refuse(format!("{width} x {height} pixels"), "give a picture of 1 to 8192 pixels a side");
+            }
+            if ink.data.len() != width * height || (view.width_px, view.height_px) != (width, height) {
+                return refuse(
+                    format!("{} values of ink for a view of {} x {}", ink.data.len(), view.width_px, view.height_px),
+                    "give ink of the view's size",
+                );
+            }
+            if !ink.data.iter().all(|value| (0.0..=1.0).contains(value)) {
+                return refuse("some ink is not from 0 to 1".into(), "give ink from 0 (ground) to 1");
+            }
+            let scale = view.camera::<f64>().pixels_per_world(&[0.0; 4]);
+            if !(scale.is_finite() && scale > 0.0) {
+                return refuse("the camera shows nothing".into(), "place eye and target apart, with up across");
+            }
+        }
+        let weights_fit = self.view_weights.is_empty() || self.view_weights.len() == self.targets.len();
+        if !weights_fit || !self.view_weights.iter().all(|weight| weight.is_finite() && *weight >= 0.0) {
+            return Err(Error::setting(
+                "view weights",
+                format!("{:?} for {} views", self.view_weights, self.targets.len()),
+                "give one weight from 0 up for each view, or none at all",
+            ));
+        }
+        let WidthBounds { min_world, max_world } = self.width;
+        if !(min_world.is_finite() && max_world.is_finite() && 0.0 <= min_world && min_world <= max_world) {
+            return Err(Error::setting(
+                "width",
+                format!("from {min_world} to {max_world}"),
+                "give a minimum from 0 up and a maximum not below it",
+            ));
+        }
+        self.recipe.check()
+    }
+}
+
+fn world_per_px(targets: &[Target], size_px: f64) -> f64 {
+    let sum: f64 = targets
+        .iter()
+        .map(|Target { view, .. }| {
+            let larger = view.width_px.max(view.height_px) as f64;
+            larger / (size_px * view.camera::<f64>().pixels_per_world(&[0.0; 4]))
+        })
+        .sum();
+    sum / targets.len().max(1) as f64
+}

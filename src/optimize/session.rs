@@ -1,0 +1,474 @@
+//! The session: pulls a problem along, iteration by iteration, and decides what happens when.
+
+use super::bending::{Bender, Field, bend_image};
+use super::engine::{Engine, Scene, SceneView, State, Step, term_count};
+use super::history::{Event, EventKind, History};
+use super::reinit::{NewPoint, Reinit, Volume, reinit};
+use super::topology::TopologyEdit;
+use super::{CpuEngine, Problem, Stage};
+use crate::Result;
+use crate::objective::Displacement;
+use crate::rng::Rng;
+use crate::view::{Image, Target};
+use crate::wire::{Form, Jerk, MAX_COORDINATE, Wire};
+
+/// Small pictures in which places that lack ink are looked for.
+const LACK_SIZE_PX: usize = 64;
+
+/// A wire with the loss it had, to compare with others of its stage.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Best {
+    pub wire: Wire,
+    pub points: Vec<[f32; 4]>,
+    pub loss: f32,
+}
+
+/// A fit under way. Pause by not calling [`Session::step`], cancel by dropping it, resume from [`Session::checkpoint`].
+pub struct Session {
+    pub(super) problem: Problem,
+    /// World units in a pixel of a 256 px picture.
+    px_256: f64,
+    pub(super) engine: Box<dyn Engine>,
+    /// Form and knots of the present wire; its control points lie in `state`.
+    pub(super) wire: Wire,
+    pub(super) state: State,
+    /// The state of the last iteration whose loss and step were finite, before that step.
+    pub(super) good: State,
+    pub(super) best: Best,
+    pub(super) fields: Vec<Field>,
+    pub(super) bender: Option<Bender>,
+    pub(super) iteration: usize,
+    pub(super) halvings: u32,
+    /// Running means of the image gradient's length at each control point, and over how many iterations.
+    pub(super) gradient_norms: Vec<f32>,
+    pub(super) gradient_count: u32,
+    pub(super) rng: Rng,
+    pub(super) history: History,
+    pub(super) events: Vec<Event>,
+    before: State,
+    d_points: Vec<[f32; 4]>,
+    steps: Vec<Step>,
+    terms: Vec<f32>,
+    loaded: bool,
+}
+
+impl Session {
+    /// A session on the processor.
+    ///
+    /// # Errors
+    /// As [`Problem::check`].
+    pub fn new(problem: Problem) -> Result<Session> {
+        Session::with_engine(problem, Box::new(CpuEngine::new()))
+    }
+
+    /// A session on an engine of one's choice.
+    ///
+    /// # Errors
+    /// As [`Problem::check`].
+    pub fn with_engine(problem: Problem, engine: Box<dyn Engine>) -> Result<Session> {
+        problem.check()?;
+        let (min, max) = (problem.width.min_world as f32, problem.width.max_world as f32);
+        let points: Vec<[f32; 4]> = problem
+            .wire
+            .control_points()
+            .iter()
+            .map(|point| point.map(|c| c as f32))
+            .map(|[x, y, z, width]| [x, y, z, width.clamp(min, max)])
+            .collect();
+        let count = points.len();
+        let state = State { points: points.clone(), adam: super::Adam::new(count) };
+        let names = problem.targets.iter().map(|target| target.view.name.clone());
+        let history = History::new(names, problem.recipe.iterations());
+        let grid = problem.recipe.bending.as_ref().map(|bending| bending.grid);
+        let fields = grid.map_or(Vec::new(), |grid| vec![Field::new(grid); problem.targets.len()]);
+        Ok(Session {
+            engine,
+            wire: problem.wire.clone(),
+            good: state.clone(),
+            before: state.clone(),
+            state,
+            best: Best { wire: problem.wire.clone(), points, loss: f32::INFINITY },
+            fields,
+            bender: None,
+            iteration: 0,
+            halvings: 0,
+            gradient_norms: vec![0.0; count],
+            gradient_count: 0,
+            rng: Rng::new(problem.seed, 0x6f70_7469),
+            history,
+            events: Vec::new(),
+            d_points: Vec::new(),
+            steps: Vec::new(),
+            terms: Vec::new(),
+            loaded: false,
+            px_256: problem.world_per_px(256.0),
+            problem,
+        })
+    }
+
+    /// What is being fitted.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// Iterations done.
+    pub fn iteration(&self) -> usize {
+        self.iteration
+    }
+
+    /// Iterations in all.
+    pub fn total(&self) -> usize {
+        self.problem.recipe.iterations()
+    }
+
+    /// Whether all iterations are done.
+    pub fn is_done(&self) -> bool {
+        self.iteration >= self.total()
+    }
+
+    /// Loss terms of every iteration so far.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Events so far.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// The wire as it is now.
+    pub fn wire(&self) -> Wire {
+        with_points(&self.wire, &self.state.points)
+    }
+
+    /// The wire with the lowest image loss of the present stage so far; of the last stage in the end.
+    pub fn best(&self) -> Wire {
+        with_points(&self.best.wire, &self.best.points)
+    }
+
+    /// View `view` as last drawn, at the size that is fitted; blank before the first iteration.
+    pub fn coverage(&self, view: usize) -> Image {
+        let (width, height) = fitted_size(&self.problem.targets[view], self.stage());
+        let mut image = Image::new(width, height);
+        if self.loaded {
+            image.data.copy_from_slice(self.engine.coverage(view));
+        }
+        image
+    }
+
+    /// Every target as it is bent now, at its own size, and how far its ink moved. Clean targets if none bends.
+    pub fn bent_targets(&self) -> Vec<(Image, Displacement)> {
+        let targets = self.problem.targets.iter();
+        match (&self.problem.recipe.bending, &self.bender) {
+            (Some(bending), Some(bender)) => targets
+                .zip(bender.fields())
+                .map(|(target, field)| bend_image(&target.ink, bending.grid, &field.values))
+                .collect(),
+            (Some(bending), None) => targets
+                .zip(&self.fields)
+                .map(|(target, field)| bend_image(&target.ink, bending.grid, &field.values))
+                .collect(),
+            (None, _) => targets.map(|target| (target.ink.clone(), Displacement::default())).collect(),
+        }
+    }
+
+    /// Does up to `count` more iterations and says what happened.
+    pub fn step(&mut self, count: usize) -> Vec<Event> {
+        let first_new = self.events.len();
+        let end = self.iteration.saturating_add(count).min(self.total());
+        while self.iteration < end {
+            self.prepare();
+            let batch = self.batch(end);
+            self.advance(batch);
+            if self.is_done() {
+                self.record(EventKind::Done, self.iteration);
+            }
+        }
+        self.events[first_new..].to_vec()
+    }
+
+    /// Whatever is due before the next iteration.
+    fn prepare(&mut self) {
+        let (index, start) = self.stage_index();
+        let i = self.iteration;
+        if i == start {
+            self.load();
+            // Losses at another size are no measure for this one.
+            self.best = Best { wire: self.wire.clone(), points: self.state.points.clone(), loss: f32::INFINITY };
+            self.record(EventKind::Stage, index + 1);
+        } else if !self.loaded {
+            self.load();
+        }
+        let stage = &self.problem.recipe.stages[index];
+        let restart_at = |share: &f64| start + (share * stage.iterations as f64).round() as usize;
+        if stage.restarts.iter().any(|share| restart_at(share) == i) {
+            self.state.adam.restart();
+            self.good.copy_from(&self.state);
+            self.record(EventKind::Restart, self.state.points.len());
+        }
+        for e in 0..self.problem.recipe.topology.len() {
+            let event = &self.problem.recipe.topology[e];
+            if event.at.iteration(self.total()) == i {
+                self.edit(&event.edit.clone());
+            }
+        }
+    }
+
+    /// How many iterations can be done before anything else is due.
+    fn batch(&self, end: usize) -> usize {
+        let total = self.total();
+        let limit = (self.iteration + self.engine.batch().max(1)).min(end);
+        let recipe = &self.problem.recipe;
+        let mut stage_start = 0;
+        let is_due = |i: usize| {
+            // Targets bend after an iteration, everything else happens before one.
+            recipe.bending.as_ref().is_some_and(|bending| bending.is_due(i - 1, total))
+                || recipe.topology.iter().any(|event| event.at.iteration(total) == i)
+        };
+        let mut stop = limit;
+        for stage in &recipe.stages {
+            let restart_at = |share: &f64| stage_start + (share * stage.iterations as f64).round() as usize;
+            let borders = stage.restarts.iter().map(restart_at).chain([stage_start]);
+            stop = borders.filter(|&border| border > self.iteration).fold(stop, usize::min);
+            stage_start += stage.iterations;
+        }
+        let stop = (self.iteration + 1..stop).find(|&i| is_due(i)).unwrap_or(stop);
+        stop - self.iteration
+    }
+
+    /// `batch` iterations on the engine, and what follows from them.
+    fn advance(&mut self, batch: usize) {
+        let width = term_count(self.problem.targets.len());
+        self.steps.clear();
+        for i in self.iteration..self.iteration + batch {
+            self.steps.push(self.numbers(i));
+        }
+        self.terms.clear();
+        self.terms.resize(width * batch, 0.0);
+        self.before.copy_from(&self.state);
+        self.engine.advance(&mut self.state, &self.steps, &mut self.terms, &mut self.d_points);
+        for row in self.terms.chunks_exact(width) {
+            self.history.push(row);
+        }
+        let usable = |state: &State| {
+            state.is_finite() && state.points.iter().flatten().all(|c| f64::from(c.abs()) <= MAX_COORDINATE)
+        };
+        let last = self.iteration + batch - 1;
+        self.iteration += batch;
+        if !self.terms.iter().all(|term| term.is_finite()) || !usable(&self.state) {
+            self.state.copy_from(&self.good);
+            self.halvings += 1;
+            self.record(EventKind::Undone, self.halvings as usize);
+            return;
+        }
+        std::mem::swap(&mut self.good, &mut self.before);
+        let image = &self.terms[..width][1..width - 2];
+        let loss = image.iter().sum::<f32>() / level_sum(self.steps[0].level_ratio);
+        if loss < self.best.loss {
+            self.best.loss = loss;
+            if self.best.points.len() != self.good.points.len() {
+                self.best.wire = self.wire.clone();
+            }
+            self.best.points.clone_from(&self.good.points);
+        }
+        self.note_gradients();
+        self.bend(last);
+    }
+
+    /// The numbers of iteration `i` in world units.
+    fn numbers(&self, i: usize) -> Step {
+        let recipe = &self.problem.recipe;
+        let progress = i as f64 / self.total() as f64;
+        let half = self.half_world();
+        let factor = 0.5f64.powi(self.halvings as i32) * 2.0 * self.px_256;
+        let position = (recipe.position_rate_px.at(progress) * factor) as f32;
+        let width = (recipe.width_rate_px.at(progress) * factor) as f32;
+        Step {
+            rates: [position, position, position, width],
+            adam: recipe.adam,
+            level_ratio: recipe.level_ratio.at(progress) as f32,
+            jerk_position: (recipe.jerk_position.at(progress) / (half * half)) as f32,
+            jerk_width: (recipe.jerk_width.at(progress) / (half * half)) as f32,
+            length: (recipe.length.at(progress) / half) as f32,
+            width_bounds: [self.problem.width.min_world as f32, self.problem.width.max_world as f32],
+        }
+    }
+
+    /// Half the side of the cube that pictures show.
+    fn half_world(&self) -> f64 {
+        128.0 * self.px_256
+    }
+
+    fn note_gradients(&mut self) {
+        let windows = self.problem.recipe.topology.iter().filter_map(|event| match &event.edit {
+            TopologyEdit::Refine(refine) => Some(refine.window),
+            TopologyEdit::Reinit(_) => None,
+        });
+        let Some(window) = windows.max() else { return };
+        self.gradient_count = (self.gradient_count + 1).min(window as u32);
+        let share = 1.0 / self.gradient_count as f32;
+        for (mean, [x, y, z, _]) in self.gradient_norms.iter_mut().zip(self.engine.d_points_image()) {
+            *mean += share * ((x * x + y * y + z * z).sqrt() - *mean);
+        }
+    }
+
+    fn bend(&mut self, iteration: usize) {
+        let total = self.total();
+        let (Some(bending), Some(bender)) = (&self.problem.recipe.bending, &mut self.bender) else { return };
+        if !bending.is_due(iteration, total) {
+            return;
+        }
+        let engine = &self.engine;
+        bender.update(iteration as f64 / total as f64, |view| engine.d_coverage(view));
+        for view in 0..self.problem.targets.len() {
+            self.engine.set_target(view, bender.bent(view));
+        }
+    }
+
+    fn edit(&mut self, edit: &TopologyEdit) {
+        let (kind, count) = match edit {
+            TopologyEdit::Reinit(options) => (EventKind::Reinit, self.reinit(options)),
+            TopologyEdit::Refine(options) => {
+                let mut wire = self.wire();
+                let norms = &self.gradient_norms;
+                let count = options.apply(options.shortest_px * self.px_256, norms, &mut wire, &mut self.state);
+                self.wire = wire;
+                (EventKind::Refine, count)
+            }
+        };
+        self.gradient_norms.clear();
+        self.gradient_norms.resize(self.state.points.len(), 0.0);
+        self.gradient_count = 0;
+        self.good.copy_from(&self.state);
+        if kind == EventKind::Refine && count > 0 {
+            self.load();
+        }
+        self.record(kind, count);
+    }
+
+    fn reinit(&mut self, options: &Reinit) -> usize {
+        let half_world = self.half_world();
+        let mut views = Vec::new();
+        if options.new_point == NewPoint::LackingInk {
+            // Drawn afresh, so that a resumed session sees what an uninterrupted one does.
+            let mut terms = vec![0.0; term_count(self.problem.targets.len())];
+            let step = self.numbers(self.iteration);
+            self.engine.evaluate(&self.state.points, &step, &mut terms, &mut self.d_points);
+            for (v, target) in self.problem.targets.iter().enumerate() {
+                let coverage = self.coverage(v);
+                let mut lack = self.fitted_ink(v);
+                let ink = lack.clone();
+                for (lack, c) in lack.data.iter_mut().zip(&coverage.data) {
+                    *lack = (*lack - c).max(0.0);
+                }
+                let (width, height) = size_within(target, LACK_SIZE_PX);
+                let camera = target.view.with_size(width, height).camera();
+                views.push((camera, ink.resized(width, height), lack.resized(width, height)));
+            }
+        }
+        let below = (options.below_px * self.px_256) as f32;
+        let volume = Volume { half_world, views: &views };
+        let splice = self.wire.form() == Form::Spline;
+        reinit(options, below, self.wire.closed(), splice, &volume, &mut self.state, &mut self.rng)
+    }
+
+    /// Hands the present stage, wire and targets to the engine.
+    fn load(&mut self) {
+        let stage = self.stage().clone();
+        if let Some(bender) = self.bender.take() {
+            self.fields = bender.into_fields();
+        }
+        let mut inks: Vec<Image> = self
+            .problem
+            .targets
+            .iter()
+            .map(|target| {
+                let (width, height) = fitted_size(target, &stage);
+                if (width, height) == (target.ink.width, target.ink.height) {
+                    target.ink.clone()
+                } else {
+                    target.ink.resized(width, height)
+                }
+            })
+            .collect();
+        if let Some(bending) = &self.problem.recipe.bending {
+            let bender = Bender::new(bending.clone(), &inks, std::mem::take(&mut self.fields));
+            for (v, ink) in inks.iter_mut().enumerate() {
+                ink.data.copy_from_slice(bender.bent(v));
+            }
+            self.bender = Some(bender);
+        }
+        let (sampling, strokes) = self.wire.sampling_map::<f32>(stage.samples_per_span, true);
+        let views = self.problem.targets.iter().zip(inks).enumerate().map(|(v, (target, ink))| SceneView {
+            camera: target.view.with_size(ink.width, ink.height).camera(),
+            target: ink,
+            weight: self.problem.view_weight(v) as f32,
+        });
+        self.engine.load(Scene {
+            sampling,
+            strokes,
+            jerk: Jerk::new(&self.wire),
+            views: views.collect(),
+            raster: stage.raster,
+            pyramid: self.problem.recipe.pyramid,
+        });
+        self.loaded = true;
+    }
+
+    /// The target of view `view` as the engine sees it.
+    fn fitted_ink(&self, view: usize) -> Image {
+        let target = &self.problem.targets[view];
+        let (width, height) = fitted_size(target, self.stage());
+        match &self.bender {
+            Some(bender) => Image { width, height, data: bender.bent(view).to_vec() },
+            None => target.ink.resized(width, height),
+        }
+    }
+
+    /// The stage of the next iteration and where it starts; the last one that has any when all is done.
+    fn stage_index(&self) -> (usize, usize) {
+        let stages = &self.problem.recipe.stages;
+        let (mut found, mut start) = ((0, 0), 0);
+        for (i, stage) in stages.iter().enumerate() {
+            if stage.iterations > 0 && start <= self.iteration {
+                found = (i, start);
+            }
+            start += stage.iterations;
+        }
+        found
+    }
+
+    fn stage(&self) -> &Stage {
+        &self.problem.recipe.stages[self.stage_index().0]
+    }
+
+    fn record(&mut self, kind: EventKind, count: usize) {
+        self.events.push(Event { iteration: self.iteration, kind, count });
+    }
+}
+
+/// A target's size scaled so that its larger side has `size_px` pixels.
+fn size_within(target: &Target, size_px: usize) -> (usize, usize) {
+    let (width, height) = (target.ink.width, target.ink.height);
+    let scale = size_px as f64 / width.max(height) as f64;
+    let scaled = |side: usize| ((side as f64 * scale).round() as usize).max(1);
+    (scaled(width), scaled(height))
+}
+
+fn fitted_size(target: &Target, stage: &Stage) -> (usize, usize) {
+    size_within(target, stage.size_px)
+}
+
+/// Σ of the level weights, so that losses with different ones compare; six levels stand for any number.
+fn level_sum(ratio: f32) -> f32 {
+    (0..6).map(|l| ratio.powi(l)).sum()
+}
+
+/// `wire` with other control points. The session only holds points that a wire takes.
+fn with_points(wire: &Wire, points: &[[f32; 4]]) -> Wire {
+    let mut wire = wire.clone();
+    let points: Vec<[f64; 4]> = points.iter().map(|point| point.map(f64::from)).collect();
+    let set = wire.set_control_points(&points);
+    debug_assert!(set.is_ok(), "{set:?}");
+    wire
+}
