@@ -1,1 +1,13 @@
-//! export
+//! Files and links from a sculpture: tube meshes (GLB, STL, OBJ), drawings (SVG), bend lists, share codes.
+
+mod glb;
+mod mesh;
+mod obj;
+mod stl;
+mod tube;
+
+pub use glb::glb;
+pub use mesh::TriangleMesh;
+pub use obj::obj;
+pub use stl::stl;
+pub use tube::{TubeOptions, tube};

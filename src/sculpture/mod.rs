@@ -1,0 +1,90 @@
+//! The finished thing: a wire, the views it was made for, and how it was made. Metrics, exports, command line and page
+//! all start from a [`Sculpture`].
+
+mod file;
+mod render;
+
+pub use file::{FORMAT_VERSION, MAX_FILE_BYTES};
+pub use render::{SAMPLES_PER_SPAN, render};
+
+use crate::{Error, Result, view::View, wire::Wire};
+use serde::{Deserialize, Serialize};
+
+/// A wire with its views and its origin; what `wire.json` holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sculpture {
+    /// The wire, in world units; the object fits the unit ball.
+    pub wire: Wire,
+    /// The views it was made for, in order.
+    pub views: Vec<View>,
+    /// How it was made.
+    pub made_with: MadeWith,
+}
+
+/// How a wire was made: enough to make it again from the same input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct MadeWith {
+    /// `multiview`, `stroke`, `fill` or what another program calls it; may be empty.
+    pub task: String,
+    /// Seed of the run.
+    pub seed: u64,
+    /// Settings by name.
+    pub settings: serde_json::Map<String, serde_json::Value>,
+    /// Version of Wire4D.
+    pub wire4d: String,
+}
+
+impl Default for MadeWith {
+    fn default() -> Self {
+        let wire4d = env!("CARGO_PKG_VERSION").to_owned();
+        MadeWith { task: String::new(), seed: 0, settings: serde_json::Map::new(), wire4d }
+    }
+}
+
+impl Sculpture {
+    /// The view of that name.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] that lists the names there are.
+    pub fn view(&self, name: &str) -> Result<&View> {
+        self.views.iter().find(|view| view.name == name).ok_or_else(|| {
+            let names: Vec<_> = self.views.iter().map(|view| view.name.as_str()).collect();
+            let remedy = match names.is_empty() {
+                true => "the wire has none; give a direction as AZIMUTH,ELEVATION in degrees".to_owned(),
+                false => format!("use {} or a direction as AZIMUTH,ELEVATION in degrees", names.join(", ")),
+            };
+            Error::setting("view", format!("there is no view named {name:?}"), remedy)
+        })
+    }
+}
+
+/// A run of joined points of a wire, `[x, y, z, width]` in world units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strand {
+    /// Points on the curve, in order.
+    pub points: Vec<[f64; 4]>,
+    /// Whether the last point joins the first (which is not repeated).
+    pub closed: bool,
+}
+
+/// The wire as polylines with `samples_per_span` points on the curve a knot span: one strand, or one a Bézier of a bag.
+pub fn strands(wire: &Wire, samples_per_span: usize) -> Vec<Strand> {
+    let (map, strokes) = wire.sampling_map::<f64>(samples_per_span, false);
+    let mut points = Vec::new();
+    map.apply(wire.control_points(), &mut points);
+    for point in &mut points {
+        // Exact convex combinations are not negative; rounding may be.
+        point[3] = point[3].max(0.0);
+    }
+    strokes
+        .iter()
+        .map(|stroke| Strand {
+            points: points[stroke.start..stroke.start + stroke.count].to_vec(),
+            closed: stroke.closed,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests;

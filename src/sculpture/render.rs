@@ -1,0 +1,20 @@
+//! What a view shows of a wire: coverage as metrics, pictures and the page use it.
+
+use crate::raster::{BandRaster, Raster};
+use crate::view::{Image, View};
+use crate::wire::Wire;
+
+/// Samples a knot span for reported pictures and figures: chords are within 0.2 px of the curve at 512 px.
+pub const SAMPLES_PER_SPAN: usize = 16;
+
+/// Coverage (0 to 1) of the wire in `view`, at the view's own size ([`View::with_size`] gives others).
+pub fn render(wire: &Wire, view: &View) -> Image {
+    let (map, strokes) = wire.sampling_map::<f64>(SAMPLES_PER_SPAN, true);
+    let mut points = Vec::new();
+    map.apply(wire.control_points(), &mut points);
+    let camera = view.camera::<f64>();
+    let vertices: Vec<[f32; 3]> = points.iter().map(|point| camera.project(point).map(|c| c as f32)).collect();
+    let mut raster = BandRaster::default();
+    let data = raster.forward(view.width_px, view.height_px, &vertices, &strokes).to_vec();
+    Image { width: view.width_px, height: view.height_px, data }
+}
