@@ -16,6 +16,8 @@
 //! ([`objective`]) and the adjoints back the same way; [`optimize::Session`] drives it, [`tasks`] says what to drive.
 
 pub mod error;
+#[cfg(feature = "cli")]
+pub mod files;
 pub mod rng;
 
 pub mod raster;

@@ -21,7 +21,10 @@ pub enum Projection {
 }
 
 /// A named view: where from, where to, which way is up, and the picture's size.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// Serialises as wire.json's `views` and is checked ([`View::check`]) when read.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(into = "super::spec::Record", try_from = "super::spec::Record")]
 pub struct View {
     /// `front`, `side`, `top` or the person's own.
     pub name: String,
@@ -73,7 +76,7 @@ impl View {
         View { width_px, height_px, ..self.clone() }
     }
 
-    /// Its camera in the precision asked for.
+    /// Its camera in the precision asked for. The view must pass [`View::check`].
     pub fn camera<R: Real>(&self) -> Camera<R> {
         let (eye, target) = (DVec3::from(self.eye), DVec3::from(self.target));
         let forward = (target - eye).normalize();
@@ -162,5 +165,99 @@ impl<R: Real> Camera<R> {
     // Points at or behind the eye are clamped just in front of it: far off the picture, but finite.
     fn safe_depth(&self, point: &[R; 4]) -> R {
         self.depth(point).max(R::from_f64(1e-3))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::Rng;
+
+    fn perspective() -> View {
+        View {
+            name: "any".into(),
+            projection: Projection::Perspective { fov_y_rad: 0.7 },
+            eye: [1.9, 1.1, 2.3],
+            target: [0.1, -0.2, 0.05],
+            up: [0.1, 1.0, 0.0],
+            width_px: 320,
+            height_px: 200,
+        }
+    }
+
+    /// A cross of points: +x, +y, +z one unit out, seen in a picture of 100 px for 2 world units.
+    fn seen(view: &View) -> [[f64; 2]; 3] {
+        let camera = view.camera::<f64>();
+        let at = |x, y, z| {
+            let [x_px, y_px, _] = camera.project(&[x, y, z, 0.0]);
+            [(x_px - 50.0).round(), (y_px - 50.0).round()]
+        };
+        [at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(0.0, 0.0, 1.0)]
+    }
+
+    #[test]
+    fn canonical_axes_are_the_contract() {
+        let [front, side, top] = View::canonical(2.0, 100);
+        let still = [0.0, 0.0];
+        // From +z: x to the right, y up (image y is down). From +x: z to the left. From +y: -z is up.
+        assert_eq!(seen(&front), [[50.0, 0.0], [0.0, -50.0], still]);
+        assert_eq!(seen(&side), [still, [0.0, -50.0], [-50.0, 0.0]]);
+        assert_eq!(seen(&top), [[50.0, 0.0], still, [0.0, 50.0]]);
+        // Sibling: a mirrored view would be told apart.
+        let back = View::orthographic("back", std::f64::consts::PI, 0.0, 2.0, 100);
+        assert_ne!(seen(&back), seen(&front));
+        for (view, eye) in [(&front, [0.0, 0.0, 1.0]), (&side, [1.0, 0.0, 0.0]), (&top, [0.0, 1.0, 0.0])] {
+            let camera = view.camera::<f64>();
+            let near = camera.depth(&[eye[0], eye[1], eye[2], 0.0]);
+            assert!((near - 2.0).abs() < 1e-12 && (camera.depth(&[0.0; 4]) - 3.0).abs() < 1e-12, "{}", view.name);
+        }
+    }
+
+    #[test]
+    fn width_scales_as_the_picture_does() {
+        let front = &View::canonical(2.0, 100)[0];
+        assert_eq!(front.camera::<f64>().project(&[0.3, 0.2, -0.9, 0.1])[2], 2.5);
+        let camera =
+            View { eye: [0.0, 0.0, 4.0], target: [0.0; 3], up: [0.0, 1.0, 0.0], ..perspective() }.camera::<f64>();
+        let focal_px = 100.0 / 0.35f64.tan();
+        let [x, y, radius] = camera.project(&[0.5, -0.25, 1.0, 0.1]);
+        let expected = [160.0 + focal_px * 0.5 / 3.0, 100.0 + focal_px * 0.25 / 3.0, focal_px * 0.05 / 3.0];
+        for (value, expected) in [x, y, radius].into_iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-10);
+        }
+        assert!(camera.project(&[0.0, 0.0, 9.0, 0.1]).iter().all(|x| x.is_finite()), "behind the eye");
+    }
+
+    /// Largest difference between the adjoint and central differences, relative to the largest entry.
+    fn vjp_error(view: &View, tweak: f64) -> f64 {
+        let camera = view.camera::<f64>();
+        let mut rng = Rng::new(9, 0);
+        let mut worst: f64 = 0.0;
+        for _ in 0..50 {
+            let point: [f64; 4] = std::array::from_fn(|_| rng.range(-0.8, 0.8));
+            let d_pixel: [f64; 3] = std::array::from_fn(|_| rng.range(-1.0, 1.0));
+            let mut d_point = camera.project_vjp(&point, &d_pixel);
+            d_point[2] *= tweak;
+            let size = d_point.iter().fold(0.0f64, |m, d| m.max(d.abs()));
+            for c in 0..4 {
+                let value = |step: f64| -> f64 {
+                    let mut moved = point;
+                    moved[c] += step;
+                    camera.project(&moved).iter().zip(&d_pixel).map(|(p, d)| p * d).sum()
+                };
+                let difference = (value(1e-5) - value(-1e-5)) / 2e-5;
+                worst = worst.max((difference - d_point[c]).abs() / size);
+            }
+        }
+        worst
+    }
+
+    #[test]
+    fn vjp_matches_finite_differences() {
+        let oblique = View::orthographic("oblique", 0.6, -0.4, 2.2, 256);
+        for view in [oblique, perspective()] {
+            assert!(vjp_error(&view, 1.0) < 1e-8, "{} {}", view.name, vjp_error(&view, 1.0));
+            assert!(vjp_error(&view, 1.01) > 1e-4, "a wrong adjoint is seen");
+        }
     }
 }
