@@ -4,8 +4,21 @@
 //! stroke is the union of the convex hulls of each two consecutive discs. Coverage is 1 inside, 0 outside.
 
 mod band;
+mod cells;
+mod exact;
+pub mod flatten;
+mod hidden;
+mod joints;
+mod outline;
+mod pieces;
+mod rows;
+mod sampled;
+mod shapes;
+mod walk;
 
 pub use band::BandRaster;
+pub use exact::ExactRaster;
+pub use sampled::sampled_union;
 
 use crate::wire::Stroke;
 

@@ -1,0 +1,169 @@
+//! A grid of square cells that says which polygons may touch a box.
+
+use super::pieces::{NONE, Node};
+use super::shapes::{EMPTY_BOX, NegatedBox, Shapes, disc_box, hull};
+use wide::f32x4;
+
+/// Side of a cell in pixels (a power of two, so that cell borders are exact in f32).
+const CELL_PX: f32 = 8.0;
+/// Boxes over more cells than this go to a list of their own that every query scans: memory stays bounded.
+const MOST_CELLS: usize = 64;
+/// Longer pieces are entered in parts of this length (in pixels), so that slanted ones fill no big boxes.
+const PART_PX: f32 = 16.0;
+
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    bounds: f32x4,
+    order: u32,
+}
+
+/// Which cells, from the first to the last inclusive.
+#[derive(Debug, Clone, Copy)]
+struct CellRange {
+    x: [u16; 2],
+    y: [u16; 2],
+}
+
+/// Entries sorted by cell.
+#[derive(Debug, Default)]
+pub(super) struct Cells {
+    columns: usize,
+    rows: usize,
+    pending: Vec<(CellRange, Entry)>,
+    starts: Vec<u32>,
+    entries: Vec<Entry>,
+    large: Vec<Entry>,
+}
+
+impl Cells {
+    /// Sorts all polygons of a pass into the cells of a picture of `width` x `height` pixels.
+    pub fn build(&mut self, width: usize, height: usize, nodes: &[Node], shapes: &Shapes) {
+        self.columns = (width as f32 / CELL_PX).ceil() as usize;
+        self.rows = (height as f32 / CELL_PX).ceil() as usize;
+        self.pending.clear();
+        self.large.clear();
+        let picture = [0.0, 0.0, -(width as f32), -(height as f32)];
+        for (order, &bounds) in shapes.boxes.iter().enumerate() {
+            if !overlap(bounds, picture) {
+                continue;
+            }
+            let long = (-bounds[2] - bounds[0]).max(-bounds[3] - bounds[1]) > 2.0 * PART_PX;
+            if long && order % 2 == 1 {
+                self.add_in_parts(order, bounds, picture, nodes);
+            } else {
+                self.add(order as u32, bounds);
+            }
+        }
+        self.sort();
+    }
+
+    fn add(&mut self, order: u32, bounds: NegatedBox) {
+        let range = self.range(bounds);
+        let cells = usize::from(range.x[1] - range.x[0] + 1) * usize::from(range.y[1] - range.y[0] + 1);
+        let entry = Entry { bounds: f32x4::new(bounds), order };
+        if cells > MOST_CELLS {
+            self.large.push(entry);
+        } else {
+            self.pending.push((range, entry));
+        }
+    }
+
+    /// Enters a long piece as the boxes of short stretches of it, as far as they touch the picture.
+    fn add_in_parts(&mut self, order: usize, bounds: NegatedBox, picture: NegatedBox, nodes: &[Node]) {
+        let a = &nodes[order / 2];
+        let b = &nodes[a.next as usize];
+        let (dx, dy) = (b.center[0] - a.center[0], b.center[1] - a.center[1]);
+        // Mitres reach past the discs by less than 4%.
+        let reach = |t: f32| (a.radius + t * (b.radius - a.radius)) * 1.05 + 0.01;
+        let widest = reach(0.0).max(reach(1.0));
+        let (mut first, mut last) = (0.0f32, 1.0f32);
+        for (start, step, end) in [(a.center[0], dx, -picture[2]), (a.center[1], dy, -picture[3])] {
+            if step != 0.0 {
+                let (t, u) = ((-widest - start) / step, (end + widest - start) / step);
+                (first, last) = (first.max(t.min(u)), last.min(t.max(u)));
+            }
+        }
+        if first >= last {
+            return;
+        }
+        let length = (dx * dx + dy * dy).sqrt() * (last - first);
+        let parts = (length / PART_PX).ceil().max(1.0) as usize;
+        let at = |i: usize| first + (last - first) * i as f32 / parts as f32;
+        for i in 0..parts {
+            let disc = |t: f32| disc_box([a.center[0] + t * dx, a.center[1] + t * dy], reach(t));
+            let part = hull(disc(at(i)), disc(at(i + 1)));
+            let part = std::array::from_fn(|c| part[c].max(bounds[c]));
+            if overlap(part, picture) {
+                self.add(order as u32, part);
+            }
+        }
+    }
+
+    fn range(&self, bounds: NegatedBox) -> CellRange {
+        let index = |px: f32, count: usize| ((px * (1.0 / CELL_PX)) as usize).min(count - 1) as u16;
+        CellRange {
+            x: [index(bounds[0], self.columns), index(-bounds[2], self.columns)],
+            y: [index(bounds[1], self.rows), index(-bounds[3], self.rows)],
+        }
+    }
+
+    /// Counting sort of the pending entries; within a cell they keep their order.
+    fn sort(&mut self) {
+        let columns = self.columns;
+        let cells = |range: &CellRange| {
+            let [x0, x1] = range.x;
+            let [y0, y1] = range.y;
+            (y0..=y1).flat_map(move |y| (x0..=x1).map(move |x| usize::from(y) * columns + usize::from(x)))
+        };
+        self.starts.clear();
+        self.starts.resize(columns * self.rows + 2, 0);
+        for (range, _) in &self.pending {
+            for cell in cells(range) {
+                self.starts[cell + 2] += 1;
+            }
+        }
+        for i in 2..self.starts.len() {
+            self.starts[i] += self.starts[i - 1];
+        }
+        let total = self.starts[self.starts.len() - 1] as usize;
+        self.entries.resize(total, Entry { bounds: f32x4::new(EMPTY_BOX), order: NONE });
+        for &(ref range, entry) in &self.pending {
+            for cell in cells(range) {
+                let place = &mut self.starts[cell + 1];
+                self.entries[*place as usize] = entry;
+                *place += 1;
+            }
+        }
+    }
+
+    /// Appends to `found` the polygons whose boxes touch `query` (which must overlap the picture).
+    #[inline]
+    pub fn gather(&self, query: NegatedBox, found: &mut Vec<u32>) {
+        let range = self.range(query);
+        // Overlap in one comparison: box minimum <= query maximum and the negated reverse.
+        let most = f32x4::new([-query[2], -query[3], -query[0], -query[1]]);
+        for y in range.y[0]..=range.y[1] {
+            for x in range.x[0]..=range.x[1] {
+                let cell = usize::from(y) * self.columns + usize::from(x);
+                // A box in several cells of the query counts only in the first: where it begins, or the query does.
+                let border = |c: u16, first: u16| if c == first { f32::NEG_INFINITY } else { f32::from(c) * CELL_PX };
+                let least =
+                    f32x4::new([border(x, range.x[0]), border(y, range.y[0]), f32::NEG_INFINITY, f32::NEG_INFINITY]);
+                for entry in &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+                    if (entry.bounds.simd_le(most) & entry.bounds.simd_ge(least)).all() {
+                        found.push(entry.order);
+                    }
+                }
+            }
+        }
+        for entry in &self.large {
+            if entry.bounds.simd_le(most).all() {
+                found.push(entry.order);
+            }
+        }
+    }
+}
+
+pub(super) fn overlap(a: NegatedBox, b: NegatedBox) -> bool {
+    a[0] <= -b[2] && a[1] <= -b[3] && b[0] <= -a[2] && b[1] <= -a[3]
+}

@@ -1,0 +1,232 @@
+//! The visible outline of a range of nodes: the sides and drawn end lines of their pieces, their vertex polygons.
+
+use super::cells::{Cells, overlap};
+use super::hidden::{Edge, only_itself, visible_parts};
+use super::joints::{Joint, Kind};
+use super::pieces::{NONE, Node, Piece};
+use super::shapes::{Circles, NegatedBox, Shapes, hull, polygon_order, quad_order};
+use super::walk::{Stretch, SubEdge, clip, walk};
+
+/// Edges and boxes longer than this (in pixels) look up their hiders stretch by stretch.
+const STRETCH_PX: f32 = 16.0;
+/// Shorter edges (in pixels) are nothing.
+const SHORTEST_EDGE_PX: f32 = 1e-6;
+
+/// Everything a pass knows before its outline, shared by all chunks.
+pub(super) struct Scene<'a> {
+    pub width: usize,
+    pub height: usize,
+    pub nodes: &'a [Node],
+    pub pieces: &'a [Piece],
+    pub joints: &'a [Joint],
+    pub shapes: &'a Shapes,
+    pub circles: &'a Circles,
+    pub cells: &'a Cells,
+}
+
+/// A run of sub-edges with one outward normal: the visible part of one edge.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Run {
+    /// The edge moves with this node and, by `u`, with the next.
+    pub node: u32,
+    pub normal: [f32; 2],
+    /// How far the edge moves out when the radius grows.
+    pub radius_weight: f32,
+    /// Change of `u` along the outline, per pixel; 0 where the edge moves with its node alone.
+    pub u_per_px: f32,
+    /// End of its sub-edges; they begin where the run before ends.
+    pub end: u32,
+}
+
+/// The visible outline of one chunk of nodes, with buffers that live across passes.
+#[derive(Debug, Default)]
+pub(super) struct Outline {
+    pub runs: Vec<Run>,
+    pub sub_edges: Vec<SubEdge>,
+    candidates: Vec<u32>,
+    hidden: Vec<[f32; 2]>,
+    visible: Vec<[f32; 2]>,
+}
+
+/// How an edge moves, see [`Run`]; `u` at its start and end.
+#[derive(Clone, Copy)]
+struct Motion {
+    node: usize,
+    normal: [f32; 2],
+    radius_weight: f32,
+    u: [f32; 2],
+}
+
+impl Outline {
+    /// Traces nodes `range` and the pieces that begin there.
+    pub fn trace(&mut self, scene: &Scene, range: std::ops::Range<usize>) {
+        self.runs.clear();
+        self.sub_edges.clear();
+        let picture = [0.0, 0.0, -(scene.width as f32), -(scene.height as f32)];
+        for k in range {
+            let boxes = &scene.shapes.boxes;
+            let both = hull(boxes[polygon_order(k) as usize], boxes[quad_order(k) as usize]);
+            if !overlap(both, picture) {
+                continue;
+            }
+            let size = (-both[2] - both[0]).max(-both[3] - both[1]);
+            let near = if size <= 2.0 * STRETCH_PX {
+                self.candidates.clear();
+                scene.cells.gather(both, &mut self.candidates);
+                true
+            } else {
+                false
+            };
+            self.trace_polygon(scene, k, near);
+            if scene.pieces[k].has_sides {
+                self.trace_end_lines(scene, k, near);
+                self.trace_sides(scene, k, near);
+            }
+        }
+    }
+
+    /// The length of border `x = 0` the strokes cover, row by row in integer steps, added to `sums`.
+    pub fn trace_left_border(&mut self, scene: &Scene, sums: &mut [i32]) {
+        sums.fill(0);
+        self.sub_edges.clear();
+        let height = scene.height as f32;
+        let mut y = 0.0;
+        while y < height {
+            let step = (height - y).min(8.0);
+            let edge = Edge { start: [0.0, y], step: [0.0, step], order: NONE, skip: [NONE; 3] };
+            self.candidates.clear();
+            scene.cells.gather([0.0, y, 0.0, -y - step], &mut self.candidates);
+            if !self.candidates.is_empty() {
+                let (hidden, visible) = (&mut self.hidden, &mut self.visible);
+                visible_parts(&edge, scene.shapes, scene.circles, &mut self.candidates, hidden, visible);
+            } else {
+                self.visible.clear();
+                self.visible.push([0.0, 1.0]);
+            }
+            // What is hidden lies between the visible parts.
+            let mut from = 0.0;
+            for i in 0..=self.visible.len() {
+                let [to, next] = self.visible.get(i).copied().unwrap_or([1.0, 1.0]);
+                if to > from {
+                    let part = edge.part(from, to);
+                    let stretch = Stretch { start: part.start, step: part.step, u: [0.0; 2] };
+                    walk(1, scene.height, &stretch, &mut self.sub_edges);
+                }
+                from = next;
+            }
+            y += step;
+        }
+        for edge in &self.sub_edges {
+            sums[edge.pixel as usize] += edge.area;
+        }
+        self.sub_edges.clear();
+    }
+
+    fn trace_sides(&mut self, scene: &Scene, k: usize, near: bool) {
+        let (node, piece) = (&scene.nodes[k], &scene.pieces[k]);
+        let (start, end) = (&scene.joints[k], &scene.joints[node.next as usize]);
+        let per_px = 1.0 / (piece.length * piece.cosine);
+        for (i, side) in [1.0f32, -1.0].into_iter().enumerate() {
+            let order = quad_order(k);
+            let neighbour = |joint: &Joint, piece: u32| if joint.shared[i] { quad_order(piece as usize) } else { NONE };
+            let skip = [order, neighbour(start, node.previous), neighbour(end, node.next)];
+            let (mut from, mut to) = (start.after[i], end.before[i]);
+            let mut u = [-start.extension[i] * per_px, 1.0 + end.extension[i] * per_px];
+            if i == 1 {
+                // Counter-clockwise round the piece: this side runs backwards.
+                (from, to) = (to, from);
+                u.swap(0, 1);
+            }
+            let edge = Edge { start: from, step: [to[0] - from[0], to[1] - from[1]], order, skip };
+            let motion = Motion { node: k, normal: piece.normal(side), radius_weight: 1.0, u };
+            self.trace_edge(scene, &edge, &motion, near);
+        }
+    }
+
+    /// The end lines of soft joints. They move with their node; that they also turn is left out.
+    fn trace_end_lines(&mut self, scene: &Scene, k: usize, near: bool) {
+        let node = &scene.nodes[k];
+        let next = node.next as usize;
+        let lines = [
+            (k, scene.joints[k].kind, scene.joints[k].after[1], scene.joints[k].after[0]),
+            (next, scene.joints[next].kind, scene.joints[next].before[0], scene.joints[next].before[1]),
+        ];
+        for (moves_with, kind, from, to) in lines {
+            if kind != Kind::Soft {
+                continue;
+            }
+            let step = [to[0] - from[0], to[1] - from[1]];
+            let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
+            let normal = [-step[1] / length, step[0] / length];
+            let order = quad_order(k);
+            let edge = Edge { start: from, step, order, skip: only_itself(order) };
+            let motion = Motion { node: moves_with, normal, radius_weight: 0.0, u: [0.0; 2] };
+            self.trace_edge(scene, &edge, &motion, near);
+        }
+    }
+
+    fn trace_polygon(&mut self, scene: &Scene, k: usize, near: bool) {
+        let polygon = scene.shapes.polygons[k];
+        if polygon.sides == 0 {
+            return;
+        }
+        let order = polygon_order(k);
+        let half = polygon.radius * (std::f32::consts::PI / polygon.sides as f32).tan();
+        for &normal in scene.circles.normals(polygon.sides) {
+            let [nx, ny] = normal;
+            let middle = [polygon.center[0] + polygon.radius * nx, polygon.center[1] + polygon.radius * ny];
+            let start = [middle[0] - half * ny, middle[1] + half * nx];
+            let edge = Edge { start, step: [2.0 * half * ny, -2.0 * half * nx], order, skip: only_itself(order) };
+            let motion = Motion { node: k, normal, radius_weight: 1.0, u: [0.0; 2] };
+            self.trace_edge(scene, &edge, &motion, near);
+        }
+    }
+
+    /// Cuts an edge by the picture, by what hides it and by the pixels. `near`: `candidates` holds its hiders.
+    fn trace_edge(&mut self, scene: &Scene, edge: &Edge, motion: &Motion, near: bool) {
+        let [dx, dy] = edge.step;
+        if dx.abs().max(dy.abs()) < SHORTEST_EDGE_PX {
+            return;
+        }
+        let (width, height) = (scene.width as f32, scene.height as f32);
+        let Some([from, to]) = clip(edge.start, edge.step, width, height) else { return };
+        let length = (dx * dx + dy * dy).sqrt();
+        let parts = if near { 1 } else { ((to - from) * length / STRETCH_PX).ceil().max(1.0) as usize };
+        let first = self.sub_edges.len();
+        for i in 0..parts {
+            let at = |i: usize| from + (to - from) * (i as f32 / parts as f32);
+            let (low, high) = (at(i), at(i + 1));
+            let part = edge.part(low, high);
+            if !near {
+                self.candidates.clear();
+                scene.cells.gather(bounds(&part), &mut self.candidates);
+            }
+            let (hidden, visible) = (&mut self.hidden, &mut self.visible);
+            visible_parts(&part, scene.shapes, scene.circles, &mut self.candidates, hidden, visible);
+            let u_at = |t: f32| motion.u[0] + (motion.u[1] - motion.u[0]) * (low + (high - low) * t);
+            for &[a, b] in &self.visible {
+                let inside = |p: [f32; 2]| [p[0].clamp(0.0, width), p[1].clamp(0.0, height)];
+                let seen = part.part(a, b);
+                let start = inside(seen.start);
+                let end = inside([seen.start[0] + seen.step[0], seen.start[1] + seen.step[1]]);
+                let step = [end[0] - start[0], end[1] - start[1]];
+                let stretch = Stretch { start, step, u: [u_at(a), u_at(b) - u_at(a)] };
+                walk(scene.width, scene.height, &stretch, &mut self.sub_edges);
+            }
+        }
+        if self.sub_edges.len() > first {
+            self.runs.push(Run {
+                node: motion.node as u32,
+                normal: motion.normal,
+                radius_weight: motion.radius_weight,
+                u_per_px: (motion.u[1] - motion.u[0]) / length,
+                end: self.sub_edges.len() as u32,
+            });
+        }
+    }
+}
+
+fn bounds(edge: &Edge) -> NegatedBox {
+    let ([x, y], [dx, dy]) = (edge.start, edge.step);
+    [x.min(x + dx), y.min(y + dy), -x.max(x + dx), -y.max(y + dy)]
+}

@@ -1,0 +1,55 @@
+//! Area sums to coverage: a running sum along each row.
+
+use super::walk::{SubEdge, TOUCHED, UNIT};
+
+/// Adds sub-edges to the pixels' sums. Integers, so that the order of the edges does not matter.
+pub(super) fn add(sub_edges: &[SubEdge], sums: &mut [i32]) {
+    for edge in sub_edges {
+        let pixel = edge.pixel as usize;
+        sums[pixel] = sums[pixel].wrapping_add(edge.area) | TOUCHED;
+        sums[pixel + 1] = sums[pixel + 1].wrapping_add(edge.rest);
+    }
+}
+
+/// Turns one row of sums into coverage and clears the sums. `left` is the row's sum left of the picture.
+///
+/// A pixel no outline runs through is wholly in or out, so the running sum is rounded there: what two edges that
+/// should meet are apart by rounding never leaks further than to the next such pixel.
+pub(super) fn finish(sums: &mut [i32], left: i32, coverage: &mut [f32]) {
+    const GROUP: usize = 8;
+    let mut running = left;
+    let mut groups = sums.chunks_exact_mut(GROUP);
+    let mut outputs = coverage.chunks_exact_mut(GROUP);
+    for (sums, coverage) in (&mut groups).zip(&mut outputs) {
+        if sums.iter().fold(0, |all, &sum| all | sum) == 0 {
+            running = whole(running);
+            coverage.fill(shade(running));
+        } else {
+            finish_pixels(sums, &mut running, coverage);
+        }
+    }
+    finish_pixels(groups.into_remainder(), &mut running, outputs.into_remainder());
+}
+
+#[inline(always)]
+fn finish_pixels(sums: &mut [i32], running: &mut i32, coverage: &mut [f32]) {
+    for (sum, coverage) in sums.iter_mut().zip(coverage) {
+        *running = running.wrapping_add(*sum & !TOUCHED);
+        if *sum & TOUCHED == 0 {
+            *running = whole(*running);
+        }
+        *coverage = shade(*running);
+        *sum = 0;
+    }
+}
+
+/// The nearest whole winding number.
+#[inline(always)]
+fn whole(sum: i32) -> i32 {
+    sum.wrapping_add(UNIT / 2) & !(UNIT - 1)
+}
+
+#[inline(always)]
+fn shade(sum: i32) -> f32 {
+    (sum.wrapping_abs() as f32 * (1.0 / UNIT as f32)).clamp(0.0, 1.0)
+}

@@ -1,0 +1,104 @@
+//! Visible outline to pixels: each edge is cut where it crosses a pixel border, and each cut piece, a sub-edge, says
+//! which area it closes off (forward) and how much outline lies in its pixel (backward).
+
+/// One unit of coverage in the integer sums: 2^20 steps, shifted by one bit to leave room for [`TOUCHED`].
+pub(super) const UNIT: i32 = 1 << 21;
+/// Bit 0 of a pixel's sum: some outline runs through it. All addends are even.
+pub(super) const TOUCHED: i32 = 1;
+
+/// The part of an edge inside one pixel.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SubEdge {
+    pub pixel: u32,
+    /// Signed area to its right within the pixel, in steps.
+    pub area: i32,
+    /// What is left of its height, for all pixels further right.
+    pub rest: i32,
+    pub length_px: f32,
+    /// Its middle as a parameter of the piece: 0 and 1 at the two tangent points.
+    pub u: f32,
+}
+
+/// A straight, visible stretch of outline inside the picture.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stretch {
+    pub start: [f32; 2],
+    pub step: [f32; 2],
+    /// Parameter along the piece at the start, and its change.
+    pub u: [f32; 2],
+}
+
+/// The parameter interval of the segment that lies inside `[0, width] x [0, height]`, if any.
+#[inline(always)]
+pub(super) fn clip(start: [f32; 2], step: [f32; 2], width: f32, height: f32) -> Option<[f32; 2]> {
+    let (mut from, mut to) = (0.0f32, 1.0f32);
+    for (p, d, limit) in [(start[0], step[0], width), (start[1], step[1], height)] {
+        let (low, high) = (p.min(p + d), p.max(p + d));
+        if low >= 0.0 && high <= limit {
+            continue;
+        }
+        // Also true for NaN.
+        if !(high >= 0.0 && low <= limit) || d == 0.0 {
+            return None;
+        }
+        let (t, u) = (-p / d, (limit - p) / d);
+        from = from.max(t.min(u));
+        to = to.min(t.max(u));
+    }
+    (from < to).then_some([from, to])
+}
+
+/// Walks a stretch through the pixels and appends its sub-edges.
+#[inline]
+pub(super) fn walk(width: usize, height: usize, stretch: &Stretch, sub_edges: &mut Vec<SubEdge>) {
+    let ([x0, y0], [dx, dy], [u, du]) = (stretch.start, stretch.step, stretch.u);
+    let length = (dx * dx + dy * dy).sqrt();
+    let (columns, rows) = (width as i32, height as i32);
+    let mut column = (x0 as i32).min(columns - 1);
+    let mut row = (y0 as i32).min(rows - 1);
+    // Parameter of the next vertical and horizontal pixel border.
+    let (mut next_x, pace_x, step_x) = pace(x0, dx, column);
+    let (mut next_y, pace_y, step_y) = pace(y0, dy, row);
+    let mut t = 0.0f32;
+    loop {
+        let until = next_x.min(next_y).min(1.0);
+        let share = (until - t).max(0.0);
+        let middle = 0.5 * (t + until);
+        let into_pixel = (x0 + dx * middle - column as f32).clamp(0.0, 1.0);
+        let height_steps = dy * share * (UNIT / 2) as f32;
+        let whole = height_steps as i32;
+        let rest = (height_steps * into_pixel) as i32;
+        sub_edges.push(SubEdge {
+            pixel: (row * columns + column) as u32,
+            area: (whole - rest) * 2,
+            rest: if column + 1 < columns { rest * 2 } else { 0 },
+            length_px: length * share,
+            u: u + du * middle,
+        });
+        if until >= 1.0 {
+            break;
+        }
+        t = until;
+        if next_x < next_y {
+            column += step_x;
+            next_x += pace_x;
+        } else {
+            row += step_y;
+            next_y += pace_y;
+        }
+        if column as u32 >= columns as u32 || row as u32 >= rows as u32 {
+            break;
+        }
+    }
+}
+
+#[inline(always)]
+fn pace(start: f32, step: f32, cell: i32) -> (f32, f32, i32) {
+    if step > 0.0 {
+        ((cell as f32 + 1.0 - start) / step, 1.0 / step, 1)
+    } else if step < 0.0 {
+        ((cell as f32 - start) / step, -1.0 / step, -1)
+    } else {
+        (f32::INFINITY, f32::INFINITY, 0)
+    }
+}
