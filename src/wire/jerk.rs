@@ -43,17 +43,17 @@ impl<R: Real> Jerk<R> {
     ) -> R {
         let weights = [position_weight, position_weight, position_weight, width_weight];
         let two = R::one() + R::one();
-        let mut energy = R::zero();
+        let mut squares = [R::zero(); 4];
         for i in 0..self.spans() {
             let jerk = self.rows.apply_row(i, points);
             let mut d_jerk = jerk;
             for c in 0..4 {
-                energy = energy + weights[c] * jerk[c] * jerk[c];
+                squares[c] = squares[c] + jerk[c] * jerk[c];
                 d_jerk[c] = two * weights[c] * jerk[c];
             }
             self.rows.apply_row_transpose(i, &d_jerk, d_points);
         }
-        energy
+        weights.iter().zip(squares).map(|(&weight, square)| weight * square).sum()
     }
 
     /// The energy alone.

@@ -68,8 +68,17 @@ impl<R: Real> LinearMap<R> {
     /// If there is not one input a column.
     pub fn apply(&self, inputs: &[[R; 4]], outputs: &mut Vec<[R; 4]>) {
         assert_eq!(inputs.len(), self.columns, "one input a column");
-        outputs.clear();
-        outputs.extend(self.rows.iter().map(|row| combine(&row.weights, &self.window(row.first, inputs))));
+        outputs.resize(self.rows.len(), [R::zero(); 4]);
+        let mut outputs = outputs.as_mut_slice();
+        // Rows of one span share their columns: load those once.
+        for run in self.rows.chunk_by(|a, b| a.first == b.first) {
+            let (run_outputs, rest) = outputs.split_at_mut(run.len());
+            outputs = rest;
+            let window = self.window(run[0].first, inputs);
+            for (row, output) in run.iter().zip(run_outputs) {
+                *output = combine(&row.weights, &window);
+            }
+        }
     }
 
     /// `d_inputs += Mᵀ d_outputs`, always summed in the same order.

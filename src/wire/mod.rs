@@ -237,8 +237,9 @@ mod test_wires;
 
 #[cfg(test)]
 mod tests {
-    use super::test_wires::{all_wires, distance};
+    use super::test_wires::{all_wires, distance, few_cases};
     use super::*;
+    use crate::rng::Rng;
 
     fn points(count: usize) -> Vec<[f64; 4]> {
         (0..count).map(|i| [i as f64 * 0.1, (i * i % 7) as f64 * 0.1, 0.3, 0.02]).collect()
@@ -333,6 +334,50 @@ mod tests {
         for (result, problem) in cases {
             let message = result.expect_err(problem).to_string();
             assert!(message.contains(problem), "{message} says {problem}");
+        }
+    }
+
+    proptest::proptest! {
+        #![proptest_config(proptest::test_runner::Config { cases: 2000, ..few_cases() })]
+        /// Any knots that pass the check serve every operation, however they are repeated; many do not pass.
+        #[test]
+        fn what_is_accepted_works(form in 0usize..3, closed: bool, count in 3usize..13, seed: u64) {
+            let mut rng = Rng::new(seed, 0);
+            let form = [Form::Spline, Form::Chain, Form::Bag][form];
+            let mut knots = vec![0.0; count + if closed { 7 } else { 4 }];
+            let inside = if closed { 4..count + 4 } else { 4..count + 1 };
+            let steps = [0.0, 0.0, 0.001, 1.0, 1.0, 3.0];
+            for i in inside.clone() {
+                knots[i] = knots[i - 1] + steps[rng.below(steps.len())];
+            }
+            if closed {
+                layout::make_periodic(count, &mut knots);
+            } else {
+                let end = knots[count];
+                knots[count..].fill(end);
+            }
+            if seed % 5 == 0 {
+                let i = rng.below(knots.len());
+                knots[i] = [f64::NAN, f64::INFINITY, -1.0, 1e-300, 1e300][rng.below(5)];
+            }
+            let Ok(wire) = Wire::new(form, closed, knots, points(count)) else { return Ok(()) };
+            let middles: Vec<f64> = wire.spans().map(|span| span.at(0.5)).collect();
+            let (finer, _) = wire.insert_knots(&middles).unwrap();
+            for span in finer.spans() {
+                for fraction in [0.0, 0.3, 0.999] {
+                    let t = span.at(fraction);
+                    proptest::prop_assert!(distance(&wire.evaluate(t), &finer.evaluate(t)) < 1e-12);
+                }
+            }
+            let mut outputs = Vec::new();
+            for map in [wire.bezier_map(), wire.sampling_map::<f32>(3, true).0] {
+                map.apply(&vec![[1.0; 4]; count], &mut outputs);
+                proptest::prop_assert!(outputs.iter().flatten().all(|x| (x - 1.0).abs() < 1e-4));
+            }
+            proptest::prop_assert!(wire.length(1e-9).is_finite());
+            let mut gradient = vec![[0.0; 4]; count];
+            let energy = Jerk::<f32>::new(&wire).energy_and_gradient(&outputs[..1].repeat(count), 1.0, 1.0, &mut gradient);
+            proptest::prop_assert!(energy.is_finite() && gradient.iter().flatten().all(|d| d.is_finite()));
         }
     }
 

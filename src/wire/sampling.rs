@@ -9,7 +9,8 @@ impl Wire {
     /// With `sag_shift` each sample is moved by `-h²/12 C''`, h the parameter step, against the sag of chords, so that
     /// chords between samples average to the curve; it stays linear in the control points. Where steps of unequal length
     /// meet, `h²` is `h₁² - h₁h₂ + h₂²`, which balances both chords together, at most four times the smaller square.
-    /// Open ends and corners (repeated knots, hence the joints of a chain) are not shifted.
+    /// Open ends and corners (repeated knots, hence the joints of a chain) are not shifted. Shifted widths can fall a
+    /// little below zero where the wire's own width nearly does.
     pub fn sampling_map<R: Real>(&self, samples_per_span: usize, sag_shift: bool) -> (LinearMap<R>, Vec<Stroke>) {
         let samples = samples_per_span.max(1);
         self.sample_spans(&self.spans().map(|span| (span, samples)).collect::<Vec<_>>(), sag_shift)
@@ -87,8 +88,9 @@ impl Wire {
     }
 }
 
-/// The `h²` of the sag shift between steps `a` and `b`. Two chords lose `(a³ + b³) f''/12` of area and moving their
-/// joint by x gives back `(a + b) x`. The limit keeps weights bounded where a tiny span meets a long one.
+/// The `h²` of the sag shift between steps `a` and `b`. A chord over h loses `h³ f''/12` of area, half of it for each
+/// end to make up, and moving the joint of two chords by x gives back `(a + b) x / 2`. The limit keeps weights bounded
+/// where a tiny span meets a long one.
 fn shift_step_squared(a: f64, b: f64) -> f64 {
     let least = a.min(b);
     (a * a - a * b + b * b).min(4.0 * least * least)
