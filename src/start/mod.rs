@@ -1,22 +1,28 @@
 //! Where a wire starts: arranging and bending drawings, the voxel tree and its trail, hull and ball tours.
 
 mod arrange;
+mod ball;
 mod boxfit;
 mod fit;
 mod grid;
+mod hull;
 mod placing;
 mod plane;
 mod shortest;
 #[cfg(test)]
 mod testing;
+mod tour;
 mod trail;
 mod tree;
 
 pub use arrange::{ArrangeOptions, Arrangement, Drawing, Placement, arrange};
+pub use ball::{ball_path, ball_points};
 pub use boxfit::{BoxFit, fit_box};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
+pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path};
 pub use placing::Orientation;
+pub use tour::{greedy_tour, short_tour, tour_length};
 pub use trail::{TrailOptions, path_along};
 pub use tree::{Tree, TreeOptions, grow_tree};
 

@@ -28,13 +28,23 @@ impl Plane {
     /// The plane of `ink` at `width` x `height`; areas fatter than twice `strand_px` (half width of the widest strand,
     /// plane pixels) get inner lines two strands apart.
     pub fn new(ink: &Image, width: usize, height: usize, strand_px: f32) -> Plane {
-        let inked = ink.resized(width, height).threshold(INK_SHARE);
+        let inked = Plane::ink_mask(ink, width, height);
         let depth_px = inked.inverted().distance_px().data;
         let stray_px = inked.distance_px().data;
         let mut lines = inked.thin();
         add_inner_lines(&depth_px, strand_px, &mut lines);
         let to_line_px = lines.distance_px().data;
         Plane { width, height, inked: inked.data, depth_px, stray_px, lines: lines.data, to_line_px }
+    }
+
+    /// Which pixels of a plane of `width` x `height` are ink.
+    pub fn ink_mask(ink: &Image, width: usize, height: usize) -> Mask {
+        ink.resized(width, height).threshold(INK_SHARE)
+    }
+
+    /// Which pixels are ink.
+    pub fn inked_mask(&self) -> Mask {
+        Mask { width: self.width, height: self.height, data: self.inked.clone() }
     }
 
     /// Whether there is any ink at all.

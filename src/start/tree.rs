@@ -2,6 +2,7 @@
 //! pays for stray ink and earns newly met ink.
 
 use super::grid::{Grid, OFF_PICTURE};
+use super::hull::nothing_shared;
 use super::plane::Plane;
 use super::shortest::{NO_PARENT, Shortest};
 use crate::error::{Error, Result};
@@ -129,10 +130,7 @@ pub fn grow_tree(
         edges: Vec::new(),
         branches: 0,
     };
-    let root = growth.best_root().ok_or_else(|| Error::Pictures {
-        problem: "the drawings have no ink at a common height or width, so no object can show them together".into(),
-        remedy: "let the drawings be arranged, or use ones that fill the same part of the picture".into(),
-    })?;
+    let root = growth.best_root().ok_or_else(nothing_shared)?;
     growth.refresh_all();
     growth.add_voxel(root);
     growth.grow(progress);
