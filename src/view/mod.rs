@@ -3,12 +3,22 @@
 mod camera;
 mod image;
 mod mask;
+mod picture;
+#[cfg(feature = "cli")]
+mod read;
 mod spec;
+#[cfg(feature = "cli")]
+mod write;
 
 pub use camera::{Camera, Projection, View};
 pub use image::Image;
 pub use mask::{Components, Mask, NOWHERE, PixelBox};
+pub use picture::{MAX_PICTURE_PIXELS, MAX_PICTURE_PX, Picture, Polarity, ink};
+#[cfg(feature = "cli")]
+pub use read::{decode_picture, read_picture};
 pub use spec::{MAX_VIEW_PX, ViewSpec, parse_placed_picture};
+#[cfg(feature = "cli")]
+pub use write::{GreyDepth, encode_png, write_png};
 
 /// A view and what it should show: the picture's ink as seen through that view.
 #[derive(Debug, Clone, PartialEq)]
