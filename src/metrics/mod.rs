@@ -1,1 +1,16 @@
-//! metrics
+//! Numbers about a sculpture: how well pictures match, how many parts the wire shows, how long and how bent it is.
+//!
+//! The definitions are those of the README's table of figures; every figure says its unit, and lengths are in units where
+//! the object fits the unit ball.
+
+mod connectivity;
+mod picture;
+mod pieces;
+mod report;
+mod shape;
+
+pub use picture::{PictureMatch, match_pictures, precision_2px, psnr_db, recall_2px, soft_iou};
+pub use report::{
+    ArrangementReport, BentReport, EventReport, REPORT_SIZE_PX, Report, ResultReport, TimeReport, ViewReport,
+};
+pub use shape::{ShapeMetrics, shape};

@@ -1,0 +1,163 @@
+//! What `report.json` holds, field for field. Tasks fill it; `wire4d metrics` prints [`ResultReport`].
+
+use super::{PictureMatch, ShapeMetrics, match_pictures, shape};
+use crate::sculpture::{Sculpture, render};
+use crate::view::Image;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+/// Longer side, in pixels, of the pictures that figures in pixels are about.
+pub const REPORT_SIZE_PX: usize = 256;
+
+/// A whole `report.json`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// `multiview`, `stroke` or `fill`.
+    pub task: String,
+    /// Seed of the run.
+    pub seed: u64,
+    /// `cpu` or `gpu`.
+    pub backend: String,
+    /// The device's own name.
+    pub device: String,
+    /// Every setting by name.
+    pub settings: Map<String, Value>,
+    /// Whether a person stopped the run before its end.
+    pub stopped: bool,
+    /// Where the time went.
+    pub time: TimeReport,
+    /// What came out.
+    pub result: ResultReport,
+    /// How the drawings were arranged.
+    pub arrangement: Vec<ArrangementReport>,
+    /// What happened on the way.
+    pub events: Vec<EventReport>,
+}
+
+/// Wall-clock times.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct TimeReport {
+    /// From input to result.
+    pub total_s: f64,
+    /// Finding the first wire.
+    pub start_s: f64,
+    /// Fitting it.
+    pub optimize_s: f64,
+    /// Iterations done.
+    pub iterations: usize,
+    /// Mean time of one.
+    pub ms_per_iteration: f64,
+}
+
+/// Which drawing went where.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ArrangementReport {
+    /// Name of the view.
+    pub view: String,
+    /// The drawing it shows, as the person knows it.
+    pub source: String,
+    /// Whether it was mirrored left to right.
+    pub mirrored: bool,
+    /// Quarter turns counter-clockwise, 0 to 3.
+    pub quarter_turns: u8,
+}
+
+/// Something that happened during the fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EventReport {
+    /// When.
+    pub iteration: usize,
+    /// `reinit`, `refine`, …
+    pub kind: String,
+    /// How many control points it concerned.
+    pub count: usize,
+}
+
+/// The `result` part: views, then the shape of the wire.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ResultReport {
+    /// One entry a view.
+    pub views: Vec<ViewReport>,
+    /// Number of control points.
+    pub control_points: usize,
+    /// The wire's shape.
+    #[serde(flatten)]
+    pub shape: ShapeMetrics,
+}
+
+/// How well one view matches its drawing, arranged but not bent. `null` where there is no drawing to compare with.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ViewReport {
+    /// Name of the view.
+    pub name: String,
+    /// Σ min / Σ max of rendering and target at the target's size.
+    pub soft_iou: Option<f64>,
+    /// Peak signal-to-noise ratio at the target's size.
+    pub psnr_db: Option<f64>,
+    /// Share of rendered ink within 2 px of target ink, at 256 px.
+    pub precision_2px: Option<f64>,
+    /// Share of target ink within 2 px of rendered ink, at 256 px.
+    pub recall_2px: Option<f64>,
+    /// Share of the target's ink that any object could show together with the other views.
+    pub target_coverable: Option<f64>,
+    /// The same against the bent target, where it was bent.
+    pub bent: Option<BentReport>,
+    /// By which factor the drawing was stretched to fit the box, 1 for not at all.
+    pub stretch: f64,
+}
+
+/// How well one view matches its bent drawing, and how far bending moved the ink.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BentReport {
+    /// As [`ViewReport::soft_iou`].
+    pub soft_iou: f64,
+    /// As [`ViewReport::precision_2px`].
+    pub precision_2px: f64,
+    /// As [`ViewReport::recall_2px`].
+    pub recall_2px: f64,
+    /// How far ink moved on average, pixels at 256.
+    pub mean_px: f64,
+    /// How far ink moved at most, pixels at 256.
+    pub max_px: f64,
+}
+
+impl ResultReport {
+    /// Measures a sculpture against `targets`, one a view in the views' order (`None` or missing: not compared).
+    pub fn measure(sculpture: &Sculpture, targets: &[Option<Image>]) -> ResultReport {
+        let views = sculpture.views.iter().enumerate().map(|(i, view)| {
+            let found = targets.get(i).and_then(Option::as_ref).map(|target| {
+                match_pictures(target, |width, height| render(&sculpture.wire, &view.with_size(width, height)))
+            });
+            ViewReport::new(&view.name, found)
+        });
+        ResultReport {
+            views: views.collect(),
+            control_points: sculpture.wire.control_points().len(),
+            shape: shape(&sculpture.wire, &sculpture.views),
+        }
+    }
+}
+
+impl ViewReport {
+    /// With the figures found; neither bent nor stretched.
+    pub fn new(name: &str, found: Option<PictureMatch>) -> ViewReport {
+        ViewReport {
+            name: name.to_owned(),
+            soft_iou: found.map(|f| f.soft_iou),
+            psnr_db: found.map(|f| f.psnr_db),
+            precision_2px: found.map(|f| f.precision_2px),
+            recall_2px: found.map(|f| f.recall_2px),
+            target_coverable: None,
+            bent: None,
+            stretch: 1.0,
+        }
+    }
+}
+
+impl BentReport {
+    /// From the figures against the bent target and the displacement, pixels at 256.
+    pub fn new(found: PictureMatch, mean_px: f64, max_px: f64) -> BentReport {
+        let PictureMatch { soft_iou, precision_2px, recall_2px, .. } = found;
+        BentReport { soft_iou, precision_2px, recall_2px, mean_px, max_px }
+    }
+}
