@@ -1,5 +1,7 @@
 //! One-channel pictures: ink or coverage, 0 to 1, rows from the top.
 
+use super::PixelBox;
+
 /// A grey picture, row by row from the top left; ink (or coverage) is 1, ground 0.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Image {
@@ -42,6 +44,45 @@ impl Image {
             }
         }
         out
+    }
+
+    /// What a window onto the picture shows: `[left, top, right, bottom]` in pixels, which may reach beyond the picture
+    /// (ground there), as a picture of `width` x `height`. Averages areas when shrinking, bilinear when enlarging.
+    pub fn window(&self, [left, top, right, bottom]: [f64; 4], width: usize, height: usize) -> Image {
+        let horizontal = window_weights(self.width, left, right, width);
+        let vertical = window_weights(self.height, top, bottom, height);
+        let mut out = Image::new(width, height);
+        let mut rows = vec![0.0f32; width * self.height];
+        for y in 0..self.height {
+            for (x, weights) in horizontal.iter().enumerate() {
+                let source = &self.data[y * self.width..][..self.width];
+                rows[y * width + x] = weights.iter().map(|&(column, weight)| weight * source[column]).sum();
+            }
+        }
+        for (y, weights) in vertical.iter().enumerate() {
+            for &(row, weight) in weights {
+                for x in 0..width {
+                    out.data[y * width + x] += weight * rows[row * width + x];
+                }
+            }
+        }
+        out
+    }
+
+    /// What is inside `part`, at the largest size that leaves `margin_px` on every side of a picture of `width` x
+    /// `height`, centred. Keeps its aspect, with ground beside it, unless `squash` lets it fill both sides.
+    pub fn letterboxed(&self, part: PixelBox, width: usize, height: usize, margin_px: f64, squash: bool) -> Image {
+        let inner = |size: usize| (size as f64 - 2.0 * margin_px).max(1.0);
+        let mut scale_x = part.width() as f64 / inner(width);
+        let mut scale_y = part.height() as f64 / inner(height);
+        if !squash {
+            scale_x = scale_x.max(scale_y);
+            scale_y = scale_x;
+        }
+        let middle_x = 0.5 * (part.left + part.right) as f64;
+        let middle_y = 0.5 * (part.top + part.bottom) as f64;
+        let (half_x, half_y) = (0.5 * scale_x * width as f64, 0.5 * scale_y * height as f64);
+        self.window([middle_x - half_x, middle_y - half_y, middle_x + half_x, middle_y + half_y], width, height)
     }
 
     /// Gaussian blur; ground outside. The kernel is cut at 4 `sigma_px` and sums to 1; sigma 0 changes nothing.
@@ -102,6 +143,26 @@ fn area_weights(from: usize, to: usize) -> Vec<Vec<(usize, f32)>> {
         .collect()
 }
 
+/// For each of `to` cells over `low..high`, the cells of `0..from` it sees with their weights.
+fn window_weights(from: usize, low: f64, high: f64, to: usize) -> Vec<Vec<(usize, f32)>> {
+    let scale = (high - low) / to as f64;
+    let cells = |from_cell: f64, to_cell: f64| from_cell.max(0.0) as usize..to_cell.clamp(0.0, from as f64) as usize;
+    (0..to)
+        .map(|i| {
+            let weights: Vec<(usize, f32)> = if scale > 1.0 {
+                let (start, end) = (low + i as f64 * scale, low + (i + 1) as f64 * scale);
+                let overlap = |s: usize| (end.min((s + 1) as f64) - start.max(s as f64)) / scale;
+                cells(start.floor(), end.ceil()).map(|s| (s, overlap(s) as f32)).collect()
+            } else {
+                let centre = low + (i as f64 + 0.5) * scale - 0.5;
+                let tent = |s: usize| 1.0 - (centre - s as f64).abs();
+                cells(centre.floor(), centre.floor() + 2.0).map(|s| (s, tent(s) as f32)).collect()
+            };
+            weights.into_iter().filter(|&(_, weight)| weight > 0.0).collect()
+        })
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,6 +181,35 @@ mod tests {
             assert!((mean(&image.resized(width, height)) - mean(&image)).abs() < 1e-6, "{width} x {height}");
         }
         assert_eq!(image.resized(62, 36).at(5, 7), image.at(2, 3), "doubling repeats pixels");
+    }
+
+    #[test]
+    fn windows_shrink_by_area_and_enlarge_smoothly() {
+        let image = random(31, 18);
+        assert_eq!(image.window([0.0, 0.0, 31.0, 18.0], 31, 18), image);
+        let (shrunk, resized) = (image.window([0.0, 0.0, 31.0, 18.0], 7, 5), image.resized(7, 5));
+        assert!(shrunk.data.iter().zip(&resized.data).all(|(a, b)| (a - b).abs() < 1e-6));
+        let larger = image.window([0.0, 0.0, 31.0, 18.0], 93, 54);
+        assert_eq!(larger.at(4, 7), image.at(1, 2), "centres fall on centres at three times the size");
+        let part = image.window([4.0, 3.0, 9.0, 8.0], 5, 5);
+        assert_eq!(part.at(2, 1), image.at(6, 4));
+        let beyond = image.window([-10.0, -10.0, -2.0, -2.0], 8, 4);
+        assert!(beyond.data.iter().all(|&value| value == 0.0), "ground outside");
+        assert!(image.window([-1e9, 0.0, 1e9, 1.0], 3, 3).data.iter().all(|value| value.is_finite()));
+    }
+
+    #[test]
+    fn letterboxes_keep_the_aspect_unless_squashed() {
+        let mut image = Image::new(50, 40);
+        let part = PixelBox { left: 10, top: 5, right: 40, bottom: 15 };
+        for y in part.top..part.bottom {
+            image.data[y * 50 + part.left..y * 50 + part.right].fill(1.0);
+        }
+        let found = |squash| image.letterboxed(part, 64, 64, 4.0, squash).threshold(0.5).bounding_box().unwrap();
+        let kept = found(false);
+        assert_eq!((kept.left, kept.right), (4, 60));
+        assert!(kept.height().abs_diff(56 / 3) <= 1 && kept.top.abs_diff(64 - kept.bottom) <= 1, "{kept:?}");
+        assert_eq!(found(true), PixelBox { left: 4, top: 4, right: 60, bottom: 60 });
     }
 
     #[test]

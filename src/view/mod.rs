@@ -7,6 +7,7 @@ mod picture;
 #[cfg(feature = "cli")]
 mod read;
 mod spec;
+mod stroke_width;
 #[cfg(feature = "cli")]
 mod write;
 

@@ -82,7 +82,7 @@ impl View {
             return fail("has a name that cannot be a file's", "use 1 to 64 letters, digits, - and _");
         }
         let vectors = [self.eye, self.target, self.up];
-        if vectors.iter().flatten().any(|x| !(x.abs() <= MAX_WORLD)) {
+        if vectors.iter().flatten().any(|x| !x.is_finite() || x.abs() > MAX_WORLD) {
             return fail("has an eye, target or up that is no plain number or far away", "use numbers below a million");
         }
         let [eye, target, up] = vectors.map(DVec3::from);
