@@ -1,1 +1,4 @@
-//! tasks
+//! What a person can ask for, each a short recipe that composes the rooms below.
+
+mod fit;
+pub mod multiview;
