@@ -80,8 +80,10 @@ impl Problem {
             if !ink.data.iter().all(|value| (0.0..=1.0).contains(value)) {
                 return refuse("some ink is not from 0 to 1".into(), "give ink from 0 (ground) to 1");
             }
-            let scale = view.camera::<f64>().pixels_per_world(&[0.0; 4]);
-            if !(scale.is_finite() && scale > 0.0) {
+            let camera = view.camera::<f64>();
+            let scale = camera.pixels_per_world(&[0.0; 4]);
+            let seen = camera.project(&[0.1, 0.2, 0.3, 0.1]);
+            if !(scale.is_finite() && scale > 0.0 && seen.iter().all(|c| c.is_finite())) {
                 return refuse("the camera shows nothing".into(), "place eye and target apart, with up across");
             }
         }

@@ -100,13 +100,13 @@ impl Refine {
             })
             .collect();
         ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-        let added_by = |knots: &[f64]| wire.insert_knots(knots).map(|(refined, map)| (refined, map, knots.len()));
         let wanted = (self.share * count as f64).round() as usize;
         // A knot adds one control point to a spline, more to the baselines.
-        let Some(each) = ranked.first().and_then(|first| added_by(&[first.1]).ok()) else { return 0 };
-        let each = each.0.control_points().len() - count;
+        let added_by = |knots: &[f64]| wire.insert_knots(knots).ok();
+        let Some((with_one, _)) = ranked.first().and_then(|first| added_by(&[first.1])) else { return 0 };
+        let each = with_one.control_points().len() - count;
         let knots: Vec<f64> = ranked.iter().take(wanted / each).map(|&(_, knot)| knot).collect();
-        let Ok((refined, map, _)) = added_by(&knots) else { return 0 };
+        let Some((refined, map)) = added_by(&knots) else { return 0 };
         let (linear, squared) = (rounded(&map, |weight| weight), rounded(&map, |weight| weight * weight));
         let carry = |map: &LinearMap<f32>, values: &mut Vec<[f32; 4]>| {
             let mut carried = Vec::new();
@@ -125,4 +125,88 @@ fn rounded(map: &LinearMap<f64>, weight: impl Fn(f64) -> f64) -> LinearMap<f32> 
     use crate::wire::Row;
     let rows = map.rows().iter().map(|row| Row { first: row.first, weights: row.weights.map(|w| weight(w) as f32) });
     LinearMap::new(map.columns(), rows.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::optimize::Adam;
+    use crate::rng::Rng;
+    use crate::wire::Form;
+
+    fn random(form: Form, closed: bool, count: usize) -> (Wire, State) {
+        let mut rng = Rng::new(2, 0);
+        let mut point = || [rng.range(-1.0, 1.0), rng.range(-1.0, 1.0), rng.range(-1.0, 1.0), 0.1 + rng.unit()];
+        let points: Vec<[f64; 4]> = (0..count).map(|_| point().map(|c| f64::from(c as f32))).collect();
+        let mut adam = Adam::new(count);
+        adam.first = (0..count).map(|_| point().map(|c| c as f32)).collect();
+        adam.second = (0..count).map(|_| point().map(|c| (c * c) as f32)).collect();
+        let state = State { points: points.iter().map(|p| p.map(|c| c as f32)).collect(), adam };
+        (Wire::uniform(form, closed, points).unwrap(), state)
+    }
+
+    fn furthest(a: &Wire, b: &Wire) -> f64 {
+        let (start, end) = a.domain();
+        (0..=200)
+            .map(|i| start + (end - start) * f64::from(i) / 200.0)
+            .map(|t| (a.evaluate(t), b.evaluate(t)))
+            .map(|(p, q)| (0..4).map(|c| (p[c] - q[c]).abs()).fold(0.0, f64::max))
+            .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn refinement_keeps_the_curve_and_goes_where_gradients_are_large() {
+        for (form, closed, count) in
+            [(Form::Spline, false, 12), (Form::Spline, true, 12), (Form::Chain, false, 13), (Form::Bag, false, 12)]
+        {
+            let (before, mut state) = random(form, closed, count);
+            let mut wire = before.clone();
+            let norms: Vec<f32> = (0..count).map(|i| if i >= count - 6 { 1.0 } else { 0.0 }).collect();
+            let added = Refine::default().apply(1e-3, &norms, &mut wire, &mut state);
+            assert!((3..=4).contains(&added), "{form:?}: {added}");
+            assert_eq!(wire.control_points().len(), count + added);
+            assert_eq!(state.adam.first.len(), count + added);
+            assert!(state.adam.second.iter().flatten().all(|&v| v >= 0.0));
+            assert!(furthest(&before, &wire) < 1e-9);
+            let mut carried = wire.clone();
+            let points: Vec<[f64; 4]> = state.points.iter().map(|p| p.map(f64::from)).collect();
+            carried.set_control_points(&points).unwrap();
+            assert!(furthest(&before, &carried) < 1e-6, "{form:?}");
+            let mut shifted = points.clone();
+            shifted[5][1] += 1e-3;
+            carried.set_control_points(&shifted).unwrap();
+            assert!(furthest(&before, &carried) > 1e-4);
+            let (_, end) = before.domain();
+            let fresh = wire.knots().iter().filter(|knot| !before.knots().contains(knot)).copied();
+            assert!(fresh.clone().next().is_some());
+            if !closed {
+                assert!(
+                    fresh.into_iter().all(|knot| knot > end / 3.0),
+                    "{form:?}: at the end with the large gradients"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn moments_follow_the_weights_of_the_insertion() {
+        // Halfway into the only span of a Bézier, new points are means: weights ½ ½ next to the ends, so a second
+        // moment of 1 everywhere becomes ½ there.
+        let (mut wire, mut state) = random(Form::Spline, false, 4);
+        state.adam.first = vec![[0.0; 4], [2.0; 4], [4.0; 4], [6.0; 4]];
+        state.adam.second = vec![[1.0; 4]; 4];
+        let options = Refine { share: 0.25, ..Refine::default() };
+        assert_eq!(options.apply(0.0, &[1.0; 4], &mut wire, &mut state), 1);
+        let column = |values: &[[f32; 4]]| values.iter().map(|v| v[0]).collect::<Vec<_>>();
+        assert_eq!(column(&state.adam.first), [0.0, 1.0, 3.0, 5.0, 6.0]);
+        assert_eq!(column(&state.adam.second), [1.0, 0.5, 0.5, 0.5, 1.0]);
+    }
+
+    #[test]
+    fn short_spans_and_full_wires_get_no_knots() {
+        let (mut wire, mut state) = random(Form::Spline, false, 12);
+        assert_eq!(Refine::default().apply(100.0, &[1.0; 12], &mut wire, &mut state), 0);
+        assert_eq!(Refine { share: 0.0, ..Refine::default() }.apply(0.0, &[1.0; 12], &mut wire, &mut state), 0);
+        assert_eq!(wire, random(Form::Spline, false, 12).0);
+    }
 }
