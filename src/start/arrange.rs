@@ -70,7 +70,7 @@ pub struct Arrangement {
 }
 
 /// Share of a picture's side that the box's longest side takes: 8% margins, as in the method's prototype.
-const FILLED: f64 = 0.84;
+pub(super) const FILLED: f64 = 0.84;
 /// Side of the pictures on which arrangements are compared (method 12.4); at most 64.
 const COARSE: usize = 48;
 /// Ink share for a coarse pixel to count.
@@ -165,7 +165,7 @@ impl Candidate {
     }
 }
 
-fn cut_out(drawings: &[Drawing]) -> Result<Vec<Cutout>> {
+pub(super) fn cut_out(drawings: &[Drawing]) -> Result<Vec<Cutout>> {
     drawings
         .iter()
         .map(|drawing| {

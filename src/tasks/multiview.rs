@@ -1,23 +1,58 @@
 //! Two, three or more drawings to one wire that shows each from its own side.
 //!
 //! [`plan`] arranges the drawings and says what any object could show of them; [`Run::start`] grows the first wire;
-//! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::result`] give what came of it.
+//! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::fit::recipe;
-use crate::Result;
+use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultReport, TimeReport, match_pictures};
+use crate::objective::Displacement;
 use crate::optimize::{Event, Problem, Session, WidthBounds};
-use crate::sculpture::{MadeWith, Sculpture};
-use crate::settings::{Bend, OnOff, Settings, Start, Turn};
-use crate::start::{self, ArrangeOptions, Arrangement, Drawing, TrailOptions, TreeOptions};
-use crate::view::Image;
+use crate::sculpture::{MadeWith, Sculpture, render};
+use crate::settings::{Bend, Ink, OnOff, Settings, Start, Turn};
+use crate::start::{self, ArrangeOptions, Arrangement, Coverable, HullOptions, Path, TrailOptions, TreeOptions};
+use crate::view::{Image, Picture, Polarity, ViewSpec, ink};
 use crate::wire::{Form, Wire};
+use crate::{Error, Result};
+
+/// A drawing and, for views other than front, side and top, where it is seen from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// File or pad name as the person knows it.
+    pub name: String,
+    /// Ink, 0 to 1, of any size and aspect.
+    pub ink: Image,
+    /// Where it is seen from; `None` takes the next of front, side, top.
+    pub seen_from: Option<ViewSpec>,
+}
+
+impl Drawing {
+    /// Finds the ink of a picture, dark or light as the settings say.
+    ///
+    /// # Errors
+    /// As [`ink`].
+    pub fn new(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<Drawing> {
+        let polarity = match settings.ink {
+            Ink::Auto => Polarity::Auto,
+            Ink::Dark => Polarity::DarkInk,
+            Ink::Light => Polarity::LightInk,
+        };
+        Ok(Drawing { name: picture.name().to_owned(), ink: ink(picture, polarity)?.0, seen_from })
+    }
+}
 
 /// Drawings in their views, before anything is fitted.
 #[derive(Debug, Clone)]
 pub struct Plan {
     /// Which drawing went where, the object's box, and what each view should show (never bent).
     pub arrangement: Arrangement,
+    /// What any object could show of each view's drawing.
+    pub coverable: Vec<Coverable>,
+    /// Names of the drawings as given.
+    sources: Vec<String>,
 }
+
+/// When less than this share of a drawing can be shown, the person is told.
+const LOW_SHARE: f32 = 0.75;
 
 /// Arranges the drawings: which goes where, mirrored or turned how, and the object's box.
 ///
@@ -25,6 +60,15 @@ pub struct Plan {
 /// [`Error::Picture`] for a drawing without ink, [`Error::Pictures`] when they are too few or share no ink at all.
 pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     settings.check()?;
+    if drawings.len() < 2 {
+        return Err(Error::Pictures {
+            problem: format!(
+                "{} picture given, and a wire needs at least two to look different from each side",
+                drawings.len()
+            ),
+            remedy: "add a picture for another side".into(),
+        });
+    }
     let options = ArrangeOptions {
         permute: settings.may_swap,
         mirror: settings.may_mirror,
@@ -33,34 +77,94 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
         size_px: settings.size,
     };
     let options = if settings.arrange == OnOff::On { options } else { options.pinned() };
-    Ok(Plan { arrangement: start::arrange(drawings, &options)? })
+    let named: Vec<start::Drawing> = drawings
+        .iter()
+        .map(|drawing| start::Drawing { name: drawing.name.clone(), ink: drawing.ink.clone() })
+        .collect();
+    let mut arrangement = if drawings.iter().all(|drawing| drawing.seen_from.is_none()) {
+        start::arrange(&named, &options)?
+    } else {
+        let views = drawings.iter().map(|drawing| drawing.seen_from.clone()).collect::<Vec<_>>();
+        start::place(&named, &views, settings.size)?
+    };
+    let min_stroke_px = settings.min_stroke * settings.size as f64 / 256.0;
+    if min_stroke_px > 0.0 {
+        for target in &mut arrangement.targets {
+            target.ink = target.ink.with_min_stroke(min_stroke_px as f32);
+        }
+    }
+    let coverable = start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?;
+    let sources = drawings.iter().map(|drawing| drawing.name.clone()).collect();
+    Ok(Plan { arrangement, coverable, sources })
 }
 
 impl Plan {
+    /// Mean over the views of the share of ink that any object could show.
+    pub fn mean_coverable(&self) -> f64 {
+        let sum: f64 = self.coverable.iter().map(|view| f64::from(view.share)).sum();
+        sum / self.coverable.len().max(1) as f64
+    }
+
+    /// What a person should know before the run, in plain words.
+    pub fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        for ((target, placement), coverable) in
+            self.arrangement.targets.iter().zip(&self.arrangement.placements).zip(&self.coverable)
+        {
+            if coverable.share < LOW_SHARE {
+                notes.push(format!(
+                    "{}: only {:.0}% of {}'s lines can be shown together with the other pictures; expect visible links, \
+                     let the pictures bend, or try other ones",
+                    target.view.name,
+                    100.0 * coverable.share,
+                    self.sources[placement.source],
+                ));
+            }
+        }
+        notes
+    }
+
     /// World units in one pixel of a 256 px picture.
     fn world_per_px_256(&self) -> f64 {
         self.arrangement.height_world / 256.0
     }
 
     /// The wire the fit starts from. `progress` (0 to 1) stops the search by returning false; what there is is used.
-    ///
-    /// # Errors
-    /// As the start chosen by the settings.
     fn first_wire(&self, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Wire> {
-        let Arrangement { targets, half_extents_world, .. } = &self.arrangement;
-        let path = match settings.start {
-            Start::Tree | Start::Hull | Start::Ball => {
-                let tree = TreeOptions { across: settings.grid, ..TreeOptions::default() };
-                start::tree_path(targets, *half_extents_world, &tree, &TrailOptions::default(), progress)?
-            }
-        };
+        let px = self.world_per_px_256();
+        let path = self.first_path(settings, progress)?;
         let wire = match settings.control_points {
-            0 => start::wire_along(&path, 4.0 * self.world_per_px_256())?,
+            0 => start::wire_along(&path, CONTROL_SPACING_PX * px)?,
             count => start::wire_with(&path, count)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
+
+    fn first_path(&self, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Path> {
+        let Arrangement { targets, half_extents_world, height_world, .. } = &self.arrangement;
+        match settings.start {
+            Start::Tree => {
+                let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
+                start::tree_path(targets, *half_extents_world, &tree, &TrailOptions::default(), progress)
+            }
+            Start::Hull => {
+                let hull = HullOptions { across: settings.grid / 2 * 2, ..HullOptions::default() };
+                start::hull_path(targets, *half_extents_world, &hull)
+            }
+            Start::Ball => {
+                let count = if settings.control_points == 0 { BALL_POINTS } else { settings.control_points };
+                // Method 11.7: radius 0.8 of the half side, a width that starts at 1.5 px of 512.
+                let width_world = 3.0 * height_world / 512.0;
+                Ok(start::ball_path(count, 0.4 * height_world, width_world, false, settings.seed))
+            }
+        }
+    }
 }
+
+/// Distance between control points along the first wire, px at 256 (method 12.10: every 2 px at 128).
+const CONTROL_SPACING_PX: f64 = 4.0;
+/// The paper's largest number of points.
+const BALL_POINTS: usize = 220;
 
 /// A fit under way.
 pub struct Run {
@@ -123,8 +227,77 @@ impl Run {
         }
     }
 
-    /// Each view's target as it is bent now; `None` where nothing bends.
-    pub fn bent(&self) -> Option<Vec<(Image, crate::objective::Displacement)>> {
+    /// Each view's target as it is bent now and how far its ink moved; `None` where nothing bends.
+    pub fn bent(&self) -> Option<Vec<(Image, Displacement)>> {
         (self.settings.bend != Bend::None).then(|| self.session.bent_targets())
+    }
+
+    /// The `result` part of a report: the best wire so far against the arranged targets and, where they bend, against
+    /// the bent ones.
+    pub fn result(&self) -> ResultReport {
+        let sculpture = self.sculpture();
+        let targets = &self.plan.arrangement.targets;
+        let pictures: Vec<_> = targets.iter().map(|target| Some(target.ink.clone())).collect();
+        let mut result = ResultReport::measure(&sculpture, &pictures);
+        for (view, (placement, coverable)) in
+            result.views.iter_mut().zip(self.plan.arrangement.placements.iter().zip(&self.plan.coverable))
+        {
+            view.stretch = placement.stretch;
+            view.target_coverable = Some(f64::from(coverable.share));
+        }
+        for ((view, target), (picture, moved)) in
+            result.views.iter_mut().zip(targets).zip(self.bent().into_iter().flatten())
+        {
+            let found = match_pictures(&picture, |width, height| {
+                render(&sculpture.wire, &target.view.with_size(width, height))
+            });
+            view.bent = Some(BentReport::new(found, moved.mean_px, moved.max_px));
+        }
+        result
+    }
+
+    /// A whole report. `time` comes from the caller, who has a clock.
+    pub fn report(&self, time: TimeReport, stopped: bool) -> Report {
+        let Arrangement { targets, placements, .. } = &self.plan.arrangement;
+        let arrangement = targets.iter().zip(placements).map(|(target, placement)| ArrangementReport {
+            view: target.view.name.clone(),
+            source: self.plan.sources[placement.source].clone(),
+            mirrored: placement.orientation.mirrored,
+            quarter_turns: placement.orientation.quarter_turns,
+        });
+        let events = self.session.events().iter().map(|event| EventReport {
+            iteration: event.iteration,
+            kind: serde_json::to_value(event.kind)
+                .ok()
+                .and_then(|kind| kind.as_str().map(str::to_owned))
+                .unwrap_or_default(),
+            count: event.count,
+        });
+        Report {
+            task: "multiview".into(),
+            seed: self.settings.seed,
+            backend: "cpu".into(),
+            device: "processor".into(),
+            settings: self.settings.to_map(),
+            stopped,
+            time,
+            result: self.result(),
+            arrangement: arrangement.collect(),
+            events: events.collect(),
+        }
+    }
+
+    /// The loss of every iteration, term by term, as `loss.csv`.
+    pub fn loss_csv(&self) -> String {
+        let history = self.session.history();
+        let mut text = format!("iteration,{}\n", history.columns.join(","));
+        for (iteration, row) in history.rows().enumerate() {
+            text.push_str(&iteration.to_string());
+            for value in row {
+                text.push_str(&format!(",{value:e}"));
+            }
+            text.push('\n');
+        }
+        text
     }
 }
