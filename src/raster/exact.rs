@@ -12,6 +12,8 @@ use crate::wire::Stroke;
 
 /// Nodes a chunk. Chunks are what threads share out; their number depends on the strokes alone.
 const CHUNK: usize = 128;
+/// Fewer chunks are not worth waking threads for.
+const LEAST_PARALLEL_CHUNKS: usize = 4;
 
 /// Exact box-filtered coverage of tapered round strokes, and its exact adjoint.
 ///
@@ -57,13 +59,15 @@ impl ExactRaster {
         }
     }
 
-    fn chunks(&self) -> usize {
-        self.nodes.len().div_ceil(CHUNK)
-    }
-}
-
-impl Raster for ExactRaster {
-    fn forward(&mut self, width: usize, height: usize, vertices: &[[f32; 3]], strokes: &[Stroke]) -> &[f32] {
+    /// [`Raster::forward`] that calls `done` with a stage's name after each stage, for measuring.
+    pub fn forward_watched(
+        &mut self,
+        width: usize,
+        height: usize,
+        vertices: &[[f32; 3]],
+        strokes: &[Stroke],
+        mut done: impl FnMut(&'static str),
+    ) -> &[f32] {
         (self.width, self.height, self.vertex_count) = (width, height, vertices.len());
         self.coverage.resize(width * height, 0.0);
         // Sums are left clean by the last pass, whatever its size.
@@ -76,8 +80,10 @@ impl Raster for ExactRaster {
         pieces::build(vertices, strokes, &mut self.nodes, &mut self.pieces);
         joints::build(&self.nodes, &self.pieces, &mut self.joints);
         self.shapes.build(&self.nodes, &self.pieces, &self.joints, &self.circles);
+        done("pieces");
         self.cells.build(width, height, &self.nodes, &self.shapes);
 
+        done("cells");
         let (chunks, count) = (self.chunks(), self.nodes.len());
         if self.outlines.len() < chunks {
             self.outlines.resize_with(chunks, Outline::default);
@@ -95,16 +101,28 @@ impl Raster for ExactRaster {
         let trace = |chunk: usize, outline: &mut Outline| {
             outline.trace(&scene, chunk * CHUNK..count.min((chunk + 1) * CHUNK));
         };
-        for_each(&mut self.outlines[..chunks], trace);
+        for_each(&mut self.outlines[..chunks], LEAST_PARALLEL_CHUNKS, trace);
         self.border.trace_left_border(&scene, &mut self.left);
         for outline in &self.outlines[..chunks] {
             rows::add(&outline.sub_edges, &mut self.sums);
         }
+        done("outline");
         for (y, row) in self.coverage.chunks_mut(width).enumerate() {
             rows::finish(&mut self.sums[y * width..(y + 1) * width], self.left[y], row);
         }
         self.sums[width * height] = 0;
+        done("rows");
         &self.coverage
+    }
+
+    fn chunks(&self) -> usize {
+        self.nodes.len().div_ceil(CHUNK)
+    }
+}
+
+impl Raster for ExactRaster {
+    fn forward(&mut self, width: usize, height: usize, vertices: &[[f32; 3]], strokes: &[Stroke]) -> &[f32] {
+        self.forward_watched(width, height, vertices, strokes, |_| {})
     }
 
     fn backward(&mut self, d_coverage: &[f32], d_vertices: &mut Vec<[f32; 3]>) {
@@ -146,9 +164,14 @@ impl Raster for ExactRaster {
     }
 }
 
-/// Runs `task` on every item with its index.
-fn for_each<T: Send>(items: &mut [T], task: impl Fn(usize, &mut T) + Sync) {
-    for (i, item) in items.iter_mut().enumerate() {
-        task(i, item);
+/// Runs `task` on every item with its index; on several threads where that is worth their waking up.
+fn for_each<T: Send>(items: &mut [T], least_parallel: usize, task: impl Fn(usize, &mut T) + Send + Sync) {
+    #[cfg(feature = "threads")]
+    if items.len() >= least_parallel && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        items.par_iter_mut().enumerate().for_each(|(i, item)| task(i, item));
+        return;
     }
+    let _ = least_parallel;
+    items.iter_mut().enumerate().for_each(|(i, item)| task(i, item));
 }

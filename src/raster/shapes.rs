@@ -12,8 +12,9 @@ use wide::f32x4;
 pub(super) const ORDER_MARGIN_PX: f32 = 2e-4;
 /// How far (in pixels) a vertex polygon may stick out of its disc.
 const ARC_TOLERANCE_PX: f32 = 0.01;
-/// Sides of the largest vertex polygon.
-pub(super) const MOST_SIDES: usize = 64;
+/// Vertex polygons have 8, 10, … 64 sides, then powers of two up to this.
+const MOST_SIDES: usize = 4096;
+const MOST_EVEN_SIDES: usize = 64;
 /// Discs below this radius (in pixels) are points.
 const SMALLEST_RADIUS_PX: f32 = 1e-6;
 
@@ -139,20 +140,30 @@ fn quad(node: &Node, piece: &Piece, start: &Joint, end: &Joint) -> Quad {
     }
 }
 
-/// Unit normals of the regular polygons with 8, 10, … 64 sides. All polygons with as many sides have the same ones.
+/// Unit normals of the regular polygons. All polygons with as many sides have the same ones.
 #[derive(Debug)]
 pub(super) struct Circles {
     normals: Vec<Vec<[f32; 2]>>,
     lanes: Vec<Vec<[f32x4; 2]>>,
 }
 
+/// The first number of sides we keep that is at least `wanted`, and its place in [`Circles`].
+fn ring(wanted: usize) -> (usize, usize) {
+    let sides = if wanted <= MOST_EVEN_SIDES { wanted.next_multiple_of(2).max(8) } else { wanted.next_power_of_two() };
+    let sides = sides.min(MOST_SIDES);
+    let powers = (sides / MOST_EVEN_SIDES).max(1).ilog2() as usize;
+    (sides, sides.min(MOST_EVEN_SIDES) / 2 - 4 + powers)
+}
+
 impl Default for Circles {
     fn default() -> Self {
-        let ring = |sides: usize| {
+        let normals_of = |sides: usize| {
             let turn = std::f64::consts::TAU / sides as f64;
             (0..sides).map(|i| (turn * i as f64).sin_cos()).map(|(s, c)| [c as f32, s as f32]).collect::<Vec<_>>()
         };
-        let normals: Vec<_> = (0..=MOST_SIDES).map(ring).collect();
+        let evens = (8..=MOST_EVEN_SIDES).step_by(2);
+        let powers = (1..).map(|i| MOST_EVEN_SIDES << i).take_while(|&sides| sides <= MOST_SIDES);
+        let normals: Vec<_> = evens.chain(powers).map(normals_of).collect();
         // The last group repeats its last normal, which changes nothing.
         let group = |ring: &Vec<[f32; 2]>| {
             let lane = |group: &[[f32; 2]], axis: usize| {
@@ -167,18 +178,18 @@ impl Default for Circles {
 impl Circles {
     fn polygon(&self, node: &Node) -> Polygon {
         let step = (8.0 * ARC_TOLERANCE_PX / node.radius).sqrt().min(std::f32::consts::FRAC_PI_4);
-        let sides = (2 * (std::f32::consts::PI / step).ceil() as usize).clamp(8, MOST_SIDES);
+        let sides = ring(2 * (std::f32::consts::PI / step).ceil() as usize).0;
         let stretch = 1.0 / (std::f32::consts::PI / sides as f32).cos();
         Polygon { center: node.center, radius: node.radius, sides: sides as u32, stretch }
     }
 
     /// Normals of a polygon with `sides` sides.
     pub fn normals(&self, sides: u32) -> &[[f32; 2]] {
-        &self.normals[sides as usize]
+        &self.normals[ring(sides as usize).1]
     }
 
     /// The same, x and y in groups of four.
     pub fn lanes(&self, sides: u32) -> &[[f32x4; 2]] {
-        &self.lanes[sides as usize]
+        &self.lanes[ring(sides as usize).1]
     }
 }
