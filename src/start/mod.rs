@@ -2,7 +2,9 @@
 
 mod arrange;
 mod ball;
+mod bend;
 mod boxfit;
+mod field;
 mod fit;
 mod grid;
 mod hull;
@@ -18,6 +20,7 @@ mod tree;
 
 pub use arrange::{ArrangeOptions, Arrangement, Drawing, Placement, arrange};
 pub use ball::{ball_path, ball_points};
+pub use bend::{BendOptions, Bent, bend};
 pub use boxfit::{BoxFit, fit_box};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
