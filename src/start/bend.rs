@@ -127,7 +127,7 @@ impl Search {
         // From a blur that bridges most gaps down to the drawing itself.
         let sigma = 2.5 * (1.0 - done) + 0.6;
         for sheet in &mut self.sheets {
-            if step % 20 == 0 {
+            if step.is_multiple_of(20) {
                 sheet.soften(sigma);
             }
             sheet.warp(&mut self.lattice);
