@@ -4,7 +4,7 @@
 use super::RasterKind;
 use super::engine::{Engine, Scene, SceneView, Step};
 use crate::objective::{MultiscaleMse, Pyramid, length_and_gradient};
-use crate::raster::{BandRaster, Raster};
+use crate::raster::{BandRaster, ExactRaster, Raster};
 use crate::view::{Camera, Image};
 use crate::wire::{Jerk, LinearMap, Stroke};
 
@@ -27,7 +27,8 @@ impl ViewEngine {
     fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid) -> Self {
         let SceneView { camera, target, weight } = view;
         let raster: Box<dyn Raster> = match raster {
-            RasterKind::Band | RasterKind::Exact => Box::new(BandRaster::new()),
+            RasterKind::Band => Box::new(BandRaster::new()),
+            RasterKind::Exact => Box::new(ExactRaster::new()),
         };
         ViewEngine {
             camera,

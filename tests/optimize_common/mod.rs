@@ -3,7 +3,7 @@
 // Each test file uses its share of them.
 #![allow(dead_code)]
 
-use wire4d::raster::{BandRaster, Raster};
+use wire4d::raster::{ExactRaster, Raster};
 use wire4d::rng::Rng;
 use wire4d::view::{Image, Target, View};
 use wire4d::wire::Wire;
@@ -53,7 +53,7 @@ pub fn draw(wire: &Wire, view: &View) -> Image {
     map.apply(&points, &mut samples);
     let camera = view.camera::<f32>();
     let vertices: Vec<_> = samples.iter().map(|sample| camera.project(sample)).collect();
-    let data = BandRaster::new().forward(view.width_px, view.height_px, &vertices, &strokes).to_vec();
+    let data = ExactRaster::new().forward(view.width_px, view.height_px, &vertices, &strokes).to_vec();
     Image { width: view.width_px, height: view.height_px, data }
 }
 
