@@ -2,6 +2,7 @@
 //! `wasm` and `page`.
 
 mod build;
+mod gallery;
 mod page;
 mod serve;
 mod setup;
@@ -23,6 +24,7 @@ struct Verb {
 const VERBS: &[Verb] = &[
     Verb { name: "serve", options: "[--dev]", help: serve::HELP, run: serve::run },
     Verb { name: "build", options: "", help: build::HELP, run: build::run },
+    Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
 ];
 

@@ -1,3 +1,40 @@
-//! The command line.
+//! The command line: `wire4d VERB …`. Errors are one line on standard error; exit status 2 for a bad input or option,
+//! 1 for anything else.
 
-fn main() {}
+mod args;
+mod folder;
+mod multiview;
+mod wires;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let matches = match args::command().try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) if !error.use_stderr() => {
+            // --help and --version.
+            let _ = error.print();
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => return fail(&args::one_line(&error), 2),
+    };
+    match run(&matches) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => fail(&error.to_string(), if error.is_bad_input() { 2 } else { 1 }),
+    }
+}
+
+fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
+    match matches.subcommand() {
+        Some(("multiview", matches)) => multiview::run(matches),
+        Some(("render", matches)) => wires::render(matches),
+        Some(("metrics", matches)) => wires::metrics(matches),
+        Some(("device", matches)) => wires::device(matches),
+        _ => unreachable!("clap asks for a known verb"),
+    }
+}
+
+fn fail(message: &str, status: u8) -> ExitCode {
+    eprintln!("{}", message.replace('\n', " "));
+    ExitCode::from(status)
+}

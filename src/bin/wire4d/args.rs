@@ -1,0 +1,193 @@
+//! Verbs and flags. The flags of a run are made from the settings table.
+
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use std::path::PathBuf;
+use wire4d::settings::{Kind, Settings, TABLE};
+use wire4d::{Error, Result};
+
+/// The whole command line.
+pub fn command() -> Command {
+    let out_file = |help: &'static str| file("out", help).long("out").required(true);
+    Command::new("wire4d")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about("Turns pictures into wire art: one continuous wire whose views show them")
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .subcommand(with_settings(
+            Command::new("multiview")
+                .about("Two, three or more pictures to one wire that shows each from its own side")
+                .arg(
+                    file("pictures", "Pictures for front, side and (if given) top: PNG, JPEG or WebP")
+                        .value_name("PICTURE")
+                        .num_args(0..=3),
+                )
+                .arg(
+                    Arg::new("view")
+                        .long("view")
+                        .value_name("PICTURE@AZIMUTH,ELEVATION")
+                        .action(ArgAction::Append)
+                        .allow_hyphen_values(true)
+                        .help("One more picture, seen from this direction in degrees"),
+                )
+                .arg(file("out", "Folder to make for the wire, its pictures and the report").long("out").required(true))
+                .arg(
+                    Arg::new("overwrite")
+                        .long("overwrite")
+                        .action(ArgAction::SetTrue)
+                        .help("Replace what an earlier run left in the folder"),
+                ),
+        ))
+        .subcommand(
+            Command::new("render")
+                .about("Coverage of a wire in one view as 16-bit grey PNG, ink white")
+                .arg(wire())
+                .arg(view())
+                .arg(
+                    Arg::new("size")
+                        .long("size")
+                        .value_name("PIXELS")
+                        .value_parser(value_parser!(u32).range(1..=8192))
+                        .default_value("512")
+                        .help("Side of the square picture"),
+                )
+                .arg(out_file("PNG to write")),
+        )
+        .subcommand(
+            Command::new("export")
+                .about("A wire as GLB, STL, OBJ, SVG, bend list (.bend.csv) or wire.json, by the file's ending")
+                .arg(wire())
+                .arg(file("to", "File to write").long("to").required(true))
+                .arg(view()),
+        )
+        .subcommand(
+            Command::new("metrics").about("Numbers about a wire, as in a report's `result`").arg(wire()).arg(
+                file("targets", "The pictures the wire's views should show, in their order")
+                    .long("targets")
+                    .value_name("PICTURE")
+                    .num_args(1..),
+            ),
+        )
+        .subcommand(Command::new("share").about("The wire as a short code for a link").arg(wire()))
+        .subcommand(
+            Command::new("open")
+                .about("A share code back to wire.json")
+                .arg(Arg::new("code").value_name("CODE").required(true).allow_hyphen_values(true).help("The code"))
+                .arg(out_file("wire.json to write")),
+        )
+        .subcommand(
+            Command::new("raster")
+                .about("One 2D scene through the rasteriser, for accuracy and timing")
+                .arg(file("scene", "Scene as JSON").value_name("SCENE").required(true))
+                .arg(file("target", "Target coverage, for the loss").long("target").value_name("T.npy"))
+                .arg(file("out", "Where to write the coverage").long("out").value_name("COVERAGE.npy"))
+                .arg(file("grad", "Where to write the gradient; needs --target").long("grad").value_name("GRAD.json"))
+                .arg(
+                    Arg::new("repeat")
+                        .long("repeat")
+                        .value_name("N")
+                        .value_parser(value_parser!(u32).range(1..=100_000))
+                        .help("Time N runs and print the medians as one JSON line"),
+                )
+                .arg(
+                    Arg::new("backend")
+                        .long("backend")
+                        .value_name("BACKEND")
+                        .value_parser(["auto", "cpu", "gpu"])
+                        .default_value("auto")
+                        .help("What computes it"),
+                ),
+        )
+        .subcommand(Command::new("device").about("What computes the fit, its limits and whether it checks out"))
+}
+
+fn file(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name).value_parser(value_parser!(PathBuf)).help(help).value_name("FILE")
+}
+
+fn wire() -> Arg {
+    file("wire", "A wire.json").value_name("WIRE").required(true)
+}
+
+fn view() -> Arg {
+    Arg::new("view")
+        .long("view")
+        .value_name("NAME|AZ,EL")
+        .allow_hyphen_values(true)
+        .default_value("front")
+        .help("One of the wire's views by name, or a direction in degrees")
+}
+
+fn with_settings(command: Command) -> Command {
+    let command = TABLE.iter().fold(command, |command, row| {
+        let flag = row.name.replace('_', "-");
+        let unit = if row.unit.is_empty() { String::new() } else { format!(" ({})", row.unit) };
+        let default = Settings::default().to_map()[row.name].to_string().replace('"', "");
+        if row.kind == Kind::Switch {
+            let no = format!("no-{flag}");
+            return command.arg(Arg::new(row.name).long(flag).action(ArgAction::SetTrue).help(row.help)).arg(
+                Arg::new(no.clone())
+                    .long(no)
+                    .action(ArgAction::SetTrue)
+                    .overrides_with(row.name)
+                    .help(format!("The opposite; default {}", if default == "true" { "on" } else { "off" })),
+            );
+        }
+        let word = match row.kind {
+            Kind::Choice { choices } => choices.join("|"),
+            _ => "N".to_owned(),
+        };
+        command.arg(
+            Arg::new(row.name)
+                .long(flag)
+                .value_name(word)
+                .allow_hyphen_values(true)
+                .help(format!("{}{unit} [default: {default}]", row.help)),
+        )
+    });
+    command
+        .arg(
+            Arg::new("set")
+                .long("set")
+                .value_name("NAME=VALUE")
+                .action(ArgAction::Append)
+                .help("Any setting by its name"),
+        )
+        .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("No progress on the terminal"))
+}
+
+/// The settings a run was given, later flags over earlier ones over the preset.
+pub fn settings(matches: &ArgMatches) -> Result<Settings> {
+    let mut pairs: Vec<(String, String)> = Vec::new();
+    for row in TABLE {
+        if row.kind == Kind::Switch {
+            if matches.get_flag(row.name) {
+                pairs.push((row.name.into(), "on".into()));
+            }
+            if matches.get_flag(&format!("no-{}", row.name.replace('_', "-"))) {
+                pairs.push((row.name.into(), "off".into()));
+            }
+        } else if let Some(text) = matches.get_one::<String>(row.name) {
+            pairs.push((row.name.into(), text.clone()));
+        }
+    }
+    for pair in matches.get_many::<String>("set").into_iter().flatten() {
+        let Some((name, text)) = pair.split_once('=') else {
+            return Err(Error::setting(format!("--set {pair}"), "there is no = in it", "write --set NAME=VALUE"));
+        };
+        pairs.push((name.trim().into(), text.trim().into()));
+    }
+    Settings::from_pairs(pairs.iter().map(|(name, text)| (name.as_str(), text.as_str())))
+}
+
+/// A file argument that clap guarantees.
+pub fn path<'a>(matches: &'a ArgMatches, name: &str) -> &'a std::path::Path {
+    matches.get_one::<PathBuf>(name).map_or(std::path::Path::new(""), PathBuf::as_path)
+}
+
+/// Clap's many-line message as one line with a remedy.
+pub fn one_line(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let first = text.split("\n\nUsage:").next().unwrap_or(&text).split("\n\nFor more").next().unwrap_or(&text);
+    let line = first.split_whitespace().collect::<Vec<_>>().join(" ");
+    format!("{}; see wire4d --help", line.trim_start_matches("error: "))
+}

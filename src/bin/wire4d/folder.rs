@@ -1,0 +1,79 @@
+//! An output folder that appears whole or not at all.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use wire4d::{Error, Result};
+
+/// A folder being filled beside its final place. Dropped without [`Folder::finish`], it leaves nothing behind.
+pub struct Folder {
+    place: PathBuf,
+    partial: PathBuf,
+    finished: bool,
+}
+
+impl Folder {
+    /// Claims `place`: it must not exist, be empty, or hold an earlier run that `overwrite` allows to replace.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when something is in the way or it cannot be made.
+    pub fn claim(place: &Path, overwrite: bool) -> Result<Folder> {
+        let name = place.display().to_string();
+        if place.is_file() {
+            return Err(Error::input(name, "is a file, and a folder is needed", "give another --out"));
+        }
+        if let Ok(mut entries) = fs::read_dir(place) {
+            let ours = place.join("report.json").is_file();
+            if entries.next().is_some() && !(overwrite && ours) {
+                let remedy = if ours {
+                    "give another --out, or --overwrite to replace the earlier run"
+                } else {
+                    "give a new or empty folder"
+                };
+                return Err(Error::input(name, "the folder is not empty and nothing in it will be touched", remedy));
+            }
+        }
+        let parent = match place.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        let Some(last) = place.file_name() else {
+            return Err(Error::input(name, "is no name for a folder", "give another --out"));
+        };
+        let partial = parent.join(format!(".{}.partial-{}", last.to_string_lossy(), std::process::id()));
+        fs::create_dir_all(&partial).map_err(|error| {
+            Error::input(&name, format!("cannot be made ({error})"), "give another --out that you may write to")
+        })?;
+        Ok(Folder { place: place.to_owned(), partial, finished: false })
+    }
+
+    /// Adds a file.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
+        fs::write(self.partial.join(name), bytes).map_err(|error| unwritable(&self.place.join(name), &error))
+    }
+
+    /// Moves everything to its final place.
+    pub fn finish(mut self) -> Result<()> {
+        if self.place.is_dir() {
+            for entry in fs::read_dir(&self.partial).map_err(|error| unwritable(&self.place, &error))?.flatten() {
+                fs::rename(entry.path(), self.place.join(entry.file_name()))
+                    .map_err(|error| unwritable(&self.place, &error))?;
+            }
+        } else {
+            fs::rename(&self.partial, &self.place).map_err(|error| unwritable(&self.place, &error))?;
+            self.finished = true;
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        if !self.finished {
+            let _ = fs::remove_dir_all(&self.partial);
+        }
+    }
+}
+
+fn unwritable(place: &Path, error: &std::io::Error) -> Error {
+    Error::output(place.display().to_string(), format!("cannot be written ({error})"), "check the path and its rights")
+}

@@ -1,0 +1,82 @@
+//! The verbs about a wire that is there already.
+
+use crate::args;
+use clap::ArgMatches;
+use std::path::Path;
+use wire4d::metrics::ResultReport;
+use wire4d::sculpture::{self, Sculpture};
+use wire4d::settings::Settings;
+use wire4d::tasks::multiview::Drawing;
+use wire4d::view::{GreyDepth, View, ViewSpec, read_picture, write_png};
+use wire4d::{Error, Result};
+
+/// `wire4d render`.
+pub fn render(matches: &ArgMatches) -> Result<()> {
+    let made = read_wire(args::path(matches, "wire"))?;
+    let size = matches.get_one::<u32>("size").copied().unwrap_or(512) as usize;
+    let view = view_of(&made, matches)?;
+    // The view's aspect is kept; the size is that of its longer side.
+    let longer = view.width_px.max(view.height_px);
+    let side = |px: usize| (px * size).div_ceil(longer).max(1);
+    let view = view.with_size(side(view.width_px), side(view.height_px));
+    let out = args::path(matches, "out");
+    write_png(out, &sculpture::render(&made.wire, &view), GreyDepth::Bits16)?;
+    println!("{}", out.display());
+    Ok(())
+}
+
+/// `wire4d metrics`.
+pub fn metrics(matches: &ArgMatches) -> Result<()> {
+    let made = read_wire(args::path(matches, "wire"))?;
+    let targets = matches
+        .get_many::<std::path::PathBuf>("targets")
+        .into_iter()
+        .flatten()
+        .map(|path| Ok(Some(Drawing::new(&read_picture(path)?, None, &Settings::default())?.ink)))
+        .collect::<Result<Vec<_>>>()?;
+    if targets.len() > made.views.len() {
+        return Err(Error::input(
+            "--targets",
+            format!("{} pictures for a wire with {} views", targets.len(), made.views.len()),
+            "give at most one picture a view, in the views' order",
+        ));
+    }
+    print_json(&ResultReport::measure(&made, &targets))
+}
+
+/// `wire4d device`.
+pub fn device(_: &ArgMatches) -> Result<()> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    println!("cpu: {threads} threads, {}; self-check passed", std::env::consts::ARCH);
+    Ok(())
+}
+
+fn print_json<T: serde::Serialize>(value: &T) -> Result<()> {
+    let text = serde_json::to_string_pretty(value)
+        .map_err(|error| Error::output("report", error.to_string(), "this is a fault of the program"))?;
+    println!("{text}");
+    Ok(())
+}
+
+fn read_wire(path: &Path) -> Result<Sculpture> {
+    let name = path.display().to_string();
+    let remedy = "give a wire.json that wire4d wrote";
+    let size =
+        std::fs::metadata(path).map_err(|error| Error::wire(&name, format!("cannot be read ({error})"), remedy))?;
+    if size.len() > sculpture::MAX_FILE_BYTES as u64 {
+        return Err(Error::wire(name, "is larger than any wire", remedy));
+    }
+    let bytes = std::fs::read(path).map_err(|error| Error::wire(&name, format!("cannot be read ({error})"), remedy))?;
+    Sculpture::from_json(&name, &bytes)
+}
+
+fn view_of(made: &Sculpture, matches: &ArgMatches) -> Result<View> {
+    let text = matches.get_one::<String>("view").map_or("front", String::as_str);
+    let spec: ViewSpec = text.parse()?;
+    // Directions see as much as the wire's own views do, or the unit ball.
+    let (height_world, size) = made.views.first().map_or((2.2, 256), |view| match view.projection {
+        wire4d::view::Projection::Orthographic { height_world } => (height_world, view.height_px),
+        wire4d::view::Projection::Perspective { .. } => (2.2, view.height_px),
+    });
+    spec.resolve(&made.views, height_world, size)
+}
