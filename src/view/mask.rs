@@ -210,22 +210,37 @@ impl Mask {
     /// 2 x 2 squares and to stairs.
     pub fn thin(&self) -> Mask {
         let mut grid = Padded::new(self);
-        let mut left: Vec<usize> = (0..grid.data.len()).filter(|&i| grid.data[i]).collect();
-        let mut border = Vec::new();
-        loop {
-            let before = left.len();
+        // Pixels that may go, in reading order: at first all on a border, then those beside pixels that went.
+        let mut active: Vec<usize> =
+            (0..grid.data.len()).filter(|&i| grid.data[i] && grid.ring(i).contains(&false)).collect();
+        let mut is_active = vec![false; grid.data.len()];
+        active.iter().for_each(|&i| is_active[i] = true);
+        let mut touched = vec![false; grid.data.len()];
+        let mut going = Vec::new();
+        while !active.is_empty() {
             for side in [N, S, E, W] {
-                border.clear();
                 // Tips are judged before the side is peeled (or each row's last pixel would look like one), the rest after.
-                border.extend(left.iter().copied().filter(|&i| !grid.ring(i)[side] && !is_end(grid.ring(i))));
-                for &i in &border {
-                    grid.data[i] = !is_simple(grid.ring(i));
+                going.clear();
+                going.extend(active.iter().copied().filter(|&i| !grid.ring(i)[side] && !is_end(grid.ring(i))));
+                for &i in &going {
+                    if is_simple(grid.ring(i)) {
+                        grid.data[i] = false;
+                        for n in grid.around(i) {
+                            touched[n] = true;
+                            if grid.data[n] && !std::mem::replace(&mut is_active[n], true) {
+                                active.push(n);
+                            }
+                        }
+                    }
                 }
-                left.retain(|&i| grid.data[i]);
+                active.retain(|&i| grid.data[i]);
+                active.sort_unstable();
             }
-            if left.len() == before {
-                break;
-            }
+            active.retain(|&i| {
+                let stays = std::mem::take(&mut touched[i]);
+                is_active[i] = stays;
+                stays
+            });
         }
         grid.inner()
     }
@@ -261,10 +276,15 @@ impl Padded {
         Mask { width, height, data: rows.copied().collect() }
     }
 
-    /// The eight neighbours, clockwise from north.
-    fn ring(&self, i: usize) -> [bool; 8] {
+    /// The places of the eight neighbours, clockwise from north.
+    fn around(&self, i: usize) -> [usize; 8] {
         let s = self.stride;
-        [i - s, i - s + 1, i + 1, i + s + 1, i + s, i + s - 1, i - 1, i - s - 1].map(|n| self.data[n])
+        [i - s, i - s + 1, i + 1, i + s + 1, i + s, i + s - 1, i - 1, i - s - 1]
+    }
+
+    /// The eight neighbours, in the same order.
+    fn ring(&self, i: usize) -> [bool; 8] {
+        self.around(i).map(|n| self.data[n])
     }
 }
 
