@@ -119,6 +119,14 @@ fn dot<R: Real>(row: &[R; 4], p: &[R; 4]) -> R {
 }
 
 impl<R: Real> Camera<R> {
+    /// Points at or behind the eye are clamped to this depth, in world units: far off the picture, but finite.
+    pub const NEAREST_DEPTH: f64 = 1e-3;
+
+    /// Whether rays meet in the eye.
+    pub fn is_perspective(&self) -> bool {
+        self.perspective
+    }
+
     /// Distance in front of the eye, world units.
     pub fn depth(&self, point: &[R; 4]) -> R {
         dot(&self.forward, point)
@@ -162,9 +170,8 @@ impl<R: Real> Camera<R> {
         if self.perspective { self.scale / self.safe_depth(point) } else { self.scale }
     }
 
-    // Points at or behind the eye are clamped just in front of it: far off the picture, but finite.
     fn safe_depth(&self, point: &[R; 4]) -> R {
-        self.depth(point).max(R::from_f64(1e-3))
+        self.depth(point).max(R::from_f64(Self::NEAREST_DEPTH))
     }
 }
 

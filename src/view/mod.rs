@@ -1,6 +1,7 @@
 //! Views: cameras, projection with its adjoint and error bound, and the pictures seen through them.
 
 mod camera;
+mod flatten;
 mod image;
 mod mask;
 mod picture;
@@ -12,6 +13,7 @@ mod stroke_width;
 mod write;
 
 pub use camera::{Camera, Projection, View};
+pub use flatten::{Flattening, PROJECTION_TOLERANCE_PX, pieces_per_span, projection_error_bound_px};
 pub use image::Image;
 pub use mask::{Components, Mask, NOWHERE, PixelBox};
 pub use picture::{MAX_PICTURE_PIXELS, MAX_PICTURE_PX, Picture, Polarity, ink};
