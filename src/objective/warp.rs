@@ -67,6 +67,8 @@ pub struct Warp<R> {
     /// Pixels of this picture in one pixel at 256.
     scale: R,
     clean: Vec<R>,
+    /// Whether all 4 x 4 texels round a sample right and below of this one are alike: most of any drawing.
+    flat: Vec<bool>,
     columns: Vec<Basis<R>>,
     rows: Vec<Basis<R>>,
     straightness: Straightness<R>,
@@ -75,19 +77,47 @@ pub struct Warp<R> {
     d_row_field: Vec<[R; 2]>,
 }
 
-/// A displaced sample: its four texels' indices, its offsets within them, and whether it was held at the border.
+/// A displaced sample: the texel to its upper left, its offset from it, and whether it was held at the border.
 struct Tap<R> {
-    texels: [usize; 4],
-    u: R,
-    v: R,
+    texel: [usize; 2],
+    offset: [R; 2],
     free: [bool; 2],
+}
+
+/// Weights of the four texels round a sample (Catmull-Rom: interpolates, and keeps thin lines sharper than bilinear
+/// sampling does), and their derivative.
+#[inline]
+fn catmull_rom<R: Real>(u: R) -> ([R; 4], [R; 4]) {
+    let [half, two, three, four] = [0.5, 2.0, 3.0, 4.0].map(R::from_f64);
+    let (five, nine, ten, one) = (R::from_f64(5.0), R::from_f64(9.0), R::from_f64(10.0), R::one());
+    let weights = [
+        ((two - u) * u - one) * u,
+        (three * u - five) * u * u + two,
+        ((four - three * u) * u + one) * u,
+        (u - one) * u * u,
+    ];
+    let slopes = [
+        (four - three * u) * u - one,
+        (nine * u - ten) * u,
+        (R::from_f64(8.0) - nine * u) * u + one,
+        (three * u - two) * u,
+    ];
+    (weights.map(|w| half * w), slopes.map(|w| half * w))
 }
 
 impl<R: Real> Warp<R> {
     /// For `ink` at the size that is fitted, with a net of `grid` x `grid` control vectors (at least 4).
     pub fn new(ink: &Image, grid: usize) -> Self {
         let grid = grid.max(4);
+        let (width, height) = (ink.width, ink.height);
+        let flat = (0..width * height).map(|i| {
+            let (x, y) = (i % width, i / width);
+            let columns = x.saturating_sub(1)..(x + 3).min(width);
+            let mut rows = y.saturating_sub(1)..(y + 3).min(height);
+            rows.all(|j| columns.clone().all(|i| ink.at(i, j) == ink.at(x, y)))
+        });
         Warp {
+            flat: flat.collect(),
             grid,
             width: ink.width,
             height: ink.height,
@@ -134,31 +164,51 @@ impl<R: Real> Warp<R> {
             let wanted = R::from_f64(i as f64) + self.scale * d;
             let last = R::from_f64((count - 1) as f64);
             let at = wanted.max(R::zero()).min(last);
-            let low = at.to_usize().unwrap_or(0).min(count.saturating_sub(2));
-            (low, (low + 1).min(count - 1), at - R::from_f64(low as f64), wanted == at)
+            let low = at.to_usize().unwrap_or(0);
+            (low, at - R::from_f64(low as f64), wanted == at)
         };
-        let (x0, x1, u, free_x) = along(x, displacement[0], self.width);
-        let (y0, y1, v, free_y) = along(y, displacement[1], self.height);
-        let w = self.width;
-        Tap { texels: [y0 * w + x0, y0 * w + x1, y1 * w + x0, y1 * w + x1], u, v, free: [free_x, free_y] }
+        let (x, u, free_x) = along(x, displacement[0], self.width);
+        let (y, v, free_y) = along(y, displacement[1], self.height);
+        Tap { texel: [x, y], offset: [u, v], free: [free_x, free_y] }
     }
 
-    /// Writes the bent ink: bilinear samples of the clean ink at `x + d(x)`.
+    /// The clean ink at a tap, held within 0 and 1, and its slope along x and y in pixels of this picture.
+    #[inline]
+    fn sample(&self, tap: &Tap<R>) -> (R, [R; 2]) {
+        let [x, y] = tap.texel;
+        if self.flat[y * self.width + x] {
+            return (self.clean[y * self.width + x], [R::zero(); 2]);
+        }
+        let ((wx, sx), (wy, sy)) = (catmull_rom(tap.offset[0]), catmull_rom(tap.offset[1]));
+        let columns = [0, 1, 2, 3].map(|i| (x + i).saturating_sub(1).min(self.width - 1));
+        let mut value = R::zero();
+        let mut slope = [R::zero(); 2];
+        for j in 0..4 {
+            let row = (y + j).saturating_sub(1).min(self.height - 1) * self.width;
+            let texels = columns.map(|column| self.clean[row + column]);
+            let blend = |w: &[R; 4]| w[0] * texels[0] + w[1] * texels[1] + w[2] * texels[2] + w[3] * texels[3];
+            let across = blend(&wx);
+            value = value + wy[j] * across;
+            slope[0] = slope[0] + wy[j] * blend(&sx);
+            slope[1] = slope[1] + sy[j] * across;
+        }
+        let held = value.max(R::zero()).min(R::one());
+        (held, if held == value { slope } else { [R::zero(); 2] })
+    }
+
+    /// Writes the bent ink: the clean ink at `x + d(x)`, interpolated.
     pub fn bend(&mut self, field: &[[R; 2]], bent: &mut [R]) {
-        let one = R::one();
         for y in 0..self.height {
             self.blend_row(field, y);
             for x in 0..self.width {
-                let Tap { texels, u, v, .. } = self.tap(x, y, self.displacement_at(x));
-                let [a, b, c, d] = texels.map(|t| self.clean[t]);
-                bent[y * self.width + x] = (one - v) * ((one - u) * a + u * b) + v * ((one - u) * c + u * d);
+                let tap = self.tap(x, y, self.displacement_at(x));
+                bent[y * self.width + x] = self.sample(&tap).0;
             }
         }
     }
 
     /// Adjoint of [`Warp::bend`]: `d_field += (∂bent/∂field)ᵀ d_bent`.
     pub fn bend_vjp(&mut self, field: &[[R; 2]], d_bent: &[R], d_field: &mut [[R; 2]]) {
-        let one = R::one();
         for y in 0..self.height {
             self.blend_row(field, y);
             self.d_row_field.fill([R::zero(); 2]);
@@ -167,11 +217,13 @@ impl<R: Real> Warp<R> {
                 if d == R::zero() {
                     continue;
                 }
-                let Tap { texels, u, v, free } = self.tap(x, y, self.displacement_at(x));
-                let [a, b, c, e] = texels.map(|t| self.clean[t]);
-                let slope = [(one - v) * (b - a) + v * (e - c), (one - u) * (c - a) + u * (e - b)];
+                let tap = self.tap(x, y, self.displacement_at(x));
+                let (_, slope) = self.sample(&tap);
+                if slope == [R::zero(); 2] {
+                    continue;
+                }
                 let Basis { first, weights } = &self.columns[x];
-                for axis in (0..2).filter(|&axis| free[axis]) {
+                for axis in (0..2).filter(|&axis| tap.free[axis]) {
                     let pull = d * slope[axis] * self.scale;
                     for k in 0..4 {
                         let out = &mut self.d_row_field[first + k][axis];
