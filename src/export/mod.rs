@@ -3,11 +3,13 @@
 mod glb;
 mod mesh;
 mod obj;
+mod share;
 mod stl;
 mod tube;
 
 pub use glb::glb;
 pub use mesh::TriangleMesh;
 pub use obj::obj;
+pub use share::{open_share_code, share_code};
 pub use stl::stl;
 pub use tube::{TubeOptions, tube};

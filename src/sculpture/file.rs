@@ -1,7 +1,7 @@
 //! `wire.json`: the sculpture as text that other programs can read. Numbers survive to the last bit.
 
 use super::{MadeWith, Sculpture};
-use crate::view::{Projection, View};
+use crate::view::View;
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,6 @@ pub const FORMAT_VERSION: u64 = 1;
 /// No wire of 20,000 control points is longer; anything that is, is refused unread.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
 const MAX_VIEWS: usize = 64;
-const MAX_PICTURE_PX: usize = 16_384;
 
 #[derive(Serialize)]
 struct FileOut<'a> {
@@ -24,7 +23,7 @@ struct FileOut<'a> {
     closed: bool,
     knots: &'a [f64],
     control_points: &'a [[f64; 4]],
-    views: Vec<ViewParts>,
+    views: &'a [View],
     made_with: &'a MadeWith,
 }
 
@@ -46,31 +45,9 @@ struct FileIn {
     knots: Vec<f64>,
     control_points: Vec<[f64; 4]>,
     #[serde(default)]
-    views: Vec<ViewParts>,
+    views: Vec<View>,
     #[serde(default)]
     made_with: MadeWith,
-}
-
-#[derive(Serialize, Deserialize)]
-struct ViewParts {
-    name: String,
-    projection: ProjectionName,
-    eye: [f64; 3],
-    target: [f64; 3],
-    up: [f64; 3],
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    fov_y_rad: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    height_world: Option<f64>,
-    width_px: usize,
-    height_px: usize,
-}
-
-#[derive(Serialize, Deserialize, Clone, Copy, PartialEq)]
-#[serde(rename_all = "lowercase")]
-enum ProjectionName {
-    Perspective,
-    Orthographic,
 }
 
 impl Sculpture {
@@ -83,7 +60,7 @@ impl Sculpture {
             closed: self.wire.closed(),
             knots: self.wire.knots(),
             control_points: self.wire.control_points(),
-            views: self.views.iter().map(ViewParts::from).collect(),
+            views: &self.views,
             made_with: &self.made_with,
         };
         let mut text = serde_json::to_string(&file).expect("plain numbers and strings always serialise");
@@ -124,88 +101,6 @@ impl Sculpture {
         if file.views.len() > MAX_VIEWS {
             return Err(bad(format!("has {} views", file.views.len()), "use 64 at most"));
         }
-        let views = file
-            .views
-            .into_iter()
-            .map(|parts| {
-                parts.check().map_err(|problem| {
-                    let problem = format!("its view {:?} {problem}", parts.name.chars().take(40).collect::<String>());
-                    bad(problem, "correct the view")
-                })
-            })
-            .collect::<Result<_>>()?;
-        Ok(Sculpture { wire, views, made_with: file.made_with })
+        Ok(Sculpture { wire, views: file.views, made_with: file.made_with })
     }
-}
-
-impl From<&View> for ViewParts {
-    fn from(view: &View) -> Self {
-        let (projection, fov_y_rad, height_world) = match view.projection {
-            Projection::Perspective { fov_y_rad } => (ProjectionName::Perspective, Some(fov_y_rad), None),
-            Projection::Orthographic { height_world } => (ProjectionName::Orthographic, None, Some(height_world)),
-        };
-        ViewParts {
-            name: view.name.clone(),
-            projection,
-            eye: view.eye,
-            target: view.target,
-            up: view.up,
-            fov_y_rad,
-            height_world,
-            width_px: view.width_px,
-            height_px: view.height_px,
-        }
-    }
-}
-
-impl ViewParts {
-    /// The view, or what is wrong with it.
-    fn check(&self) -> Result<View, &'static str> {
-        let projection = match (self.projection, self.fov_y_rad, self.height_world) {
-            (ProjectionName::Perspective, Some(fov_y_rad), _) => Projection::Perspective { fov_y_rad },
-            (ProjectionName::Perspective, None, _) => return Err("is perspective but has no fov_y_rad"),
-            (ProjectionName::Orthographic, _, Some(height_world)) => Projection::Orthographic { height_world },
-            (ProjectionName::Orthographic, _, None) => return Err("is orthographic but has no height_world"),
-        };
-        let view = View {
-            name: self.name.clone(),
-            projection,
-            eye: self.eye,
-            target: self.target,
-            up: self.up,
-            width_px: self.width_px,
-            height_px: self.height_px,
-        };
-        check_view(&view).map(|()| view)
-    }
-}
-
-/// Whether a view read from outside can be rendered; if not, what is wrong with it.
-pub(crate) fn check_view(view: &View) -> Result<(), &'static str> {
-    use glam::DVec3;
-    const FARTHEST: f64 = 1e6;
-    if view.name.len() > 200 {
-        return Err("has a name longer than 200 bytes");
-    }
-    if [view.eye, view.target, view.up].iter().flatten().any(|c| c.is_nan() || c.abs() > FARTHEST) {
-        return Err("has coordinates out of range");
-    }
-    let (forward, up) = (DVec3::from(view.target) - DVec3::from(view.eye), DVec3::from(view.up));
-    if forward.length() < 1e-6 {
-        return Err("has its eye on its target");
-    }
-    if up.length() < 1e-6 || forward.normalize().cross(up.normalize()).length() < 1e-6 {
-        return Err("has its up direction along the line of sight");
-    }
-    let fits = match view.projection {
-        Projection::Perspective { fov_y_rad } => fov_y_rad > 1e-3 && fov_y_rad < 3.1,
-        Projection::Orthographic { height_world } => height_world > 1e-3 && height_world < FARTHEST,
-    };
-    if !fits {
-        return Err("has a field of view out of range");
-    }
-    if [view.width_px, view.height_px].iter().any(|size| !(1..=MAX_PICTURE_PX).contains(size)) {
-        return Err("has a picture size out of range (1 to 16384)");
-    }
-    Ok(())
 }

@@ -7,7 +7,7 @@ mod render;
 pub use file::{FORMAT_VERSION, MAX_FILE_BYTES};
 pub use render::{SAMPLES_PER_SPAN, render};
 
-use crate::{Error, Result, view::View, wire::Wire};
+use crate::{view::View, wire::Wire};
 use serde::{Deserialize, Serialize};
 
 /// A wire with its views and its origin; what `wire.json` holds.
@@ -39,23 +39,6 @@ impl Default for MadeWith {
     fn default() -> Self {
         let wire4d = env!("CARGO_PKG_VERSION").to_owned();
         MadeWith { task: String::new(), seed: 0, settings: serde_json::Map::new(), wire4d }
-    }
-}
-
-impl Sculpture {
-    /// The view of that name.
-    ///
-    /// # Errors
-    /// [`Error::Setting`] that lists the names there are.
-    pub fn view(&self, name: &str) -> Result<&View> {
-        self.views.iter().find(|view| view.name == name).ok_or_else(|| {
-            let names: Vec<_> = self.views.iter().map(|view| view.name.as_str()).collect();
-            let remedy = match names.is_empty() {
-                true => "the wire has none; give a direction as AZIMUTH,ELEVATION in degrees".to_owned(),
-                false => format!("use {} or a direction as AZIMUTH,ELEVATION in degrees", names.join(", ")),
-            };
-            Error::setting("view", format!("there is no view named {name:?}"), remedy)
-        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a view shows of a wire: coverage as metrics, pictures and the page use it.
 
-use crate::raster::{BandRaster, Raster};
+use crate::raster::{ExactRaster, Raster};
 use crate::view::{Image, View};
 use crate::wire::Wire;
 
@@ -14,7 +14,7 @@ pub fn render(wire: &Wire, view: &View) -> Image {
     map.apply(wire.control_points(), &mut points);
     let camera = view.camera::<f64>();
     let vertices: Vec<[f32; 3]> = points.iter().map(|point| camera.project(point).map(|c| c as f32)).collect();
-    let mut raster = BandRaster::default();
+    let mut raster = ExactRaster::default();
     let data = raster.forward(view.width_px, view.height_px, &vertices, &strokes).to_vec();
     Image { width: view.width_px, height: view.height_px, data }
 }

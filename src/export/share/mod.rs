@@ -1,0 +1,179 @@
+//! The share code: a wire, its views and its seed in so few URL-safe characters that a link can carry them.
+//!
+//! Control points are rounded to a grid so fine that nothing moves by 0.3 px at 512 px in any of the views, guessed from
+//! those before, and what the guess missed is range coded with learned probabilities. A code is base64url of
+//! `[version][range-coded contents][CRC-32 of all before]`. Settings are not carried.
+
+mod base64;
+mod contents;
+mod range;
+
+use crate::sculpture::{MadeWith, Sculpture};
+use crate::view::View;
+use crate::wire::Wire;
+use crate::{Error, Result};
+use contents::{Contents, KnotCode};
+use range::{Decoder, Encoder};
+
+/// First byte of a code; the checksum's place is the same in all versions.
+const VERSION: u8 = 1;
+/// No wire needs more; longer texts are refused unread.
+const MAX_CODE_CHARACTERS: usize = 1 << 20;
+const MAX_TASK_BYTES: usize = 256;
+
+/// Picture size for which the precision is chosen.
+const SIZE_PX: f64 = 512.0;
+/// How far rounding may move the centre line and the radius, in those pixels: together less than 0.3, with some left
+/// for knots and perspective.
+const CENTRE_PX: f64 = 0.19;
+const RADIUS_PX: f64 = 0.06;
+/// Coordinates are at most this many steps, however near an eye is.
+const MAX_STEPS: f64 = (1u64 << 24) as f64;
+/// Fineness of knots that are no halvings: 0.07% a step.
+const STEPS_PER_OCTAVE: u64 = 512;
+
+/// The share code of a sculpture: letters, digits, `-` and `_` only.
+pub fn share_code(sculpture: &Sculpture) -> String {
+    let mut contents = contents(sculpture);
+    let mut encoder = Encoder::new();
+    // Writing meets no nonsense: the limits are those of valid wires and views.
+    let written = contents.transcode(&mut encoder);
+    debug_assert!(written.is_ok());
+    let mut bytes = vec![VERSION];
+    bytes.extend(encoder.finish());
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
+    base64::encode(&bytes)
+}
+
+/// The sculpture of a share code, or of a link that ends in one (after `#` or `=`).
+///
+/// # Errors
+/// [`Error::ShareCode`] for anything that is damaged, foreign or newer than this program.
+pub fn open_share_code(text: &str) -> Result<Sculpture> {
+    let damaged = || bad("is damaged or incomplete", "copy the whole code or link again");
+    if text.len() > MAX_CODE_CHARACTERS {
+        return Err(bad("is longer than any code", "copy only the code or the link"));
+    }
+    let code = text.trim().rsplit(['#', '=']).next().unwrap_or_default();
+    if code.is_empty() {
+        return Err(bad("is empty", "copy the whole code or link"));
+    }
+    let bytes = base64::decode(code).ok_or_else(damaged)?;
+    let (body, checksum) = bytes.split_last_chunk::<4>().ok_or_else(damaged)?;
+    if crc32fast::hash(body) != u32::from_le_bytes(*checksum) {
+        return Err(damaged());
+    }
+    let (&version, packed) = body.split_first().ok_or_else(damaged)?;
+    if version > VERSION {
+        return Err(bad(&format!("has version {version}, newer than this program reads ({VERSION})"), "update Wire4D"));
+    }
+    if version != VERSION {
+        return Err(damaged());
+    }
+    let mut contents = Contents::default();
+    contents.transcode(&mut Decoder::new(packed)).map_err(|_| damaged())?;
+    sculpture(contents).map_err(|error| match error {
+        Error::Wire { problem, .. } => bad(&format!("holds no valid wire ({problem})"), "ask for a new code"),
+        _ => damaged(),
+    })
+}
+
+fn bad(problem: &str, remedy: &str) -> Error {
+    Error::ShareCode { problem: problem.to_owned(), remedy: remedy.to_owned() }
+}
+
+fn contents(sculpture: &Sculpture) -> Contents {
+    let wire = &sculpture.wire;
+    let pixels = pixels_per_world(sculpture);
+    let largest = wire.control_points().iter().flatten().fold(0.0f64, |most, c| most.max(c.abs()));
+    // Rounding moves a point by at most √3 / 2 of a step, and a radius by a quarter.
+    let steps = [CENTRE_PX * 2.0 / 3f64.sqrt(), RADIUS_PX * 4.0]
+        .map(|step| (step / pixels).max(largest / MAX_STEPS).max(1e-9) as f32);
+    let quantise = |x: f64, step: f32| (x / f64::from(step)).round() as i64;
+    let control_points = wire
+        .control_points()
+        .iter()
+        .map(|&[x, y, z, width]| {
+            let [x, y, z] = [x, y, z].map(|c| quantise(c, steps[0]));
+            [x, y, z, quantise(width, steps[1])]
+        })
+        .collect();
+    let mut task = sculpture.made_with.task.clone();
+    while task.len() > MAX_TASK_BYTES {
+        task.pop();
+    }
+    Contents {
+        form: wire.form(),
+        closed: wire.closed(),
+        steps,
+        control_points,
+        knots: knot_code(wire),
+        views: sculpture.views.clone(),
+        task,
+        seed: sculpture.made_with.seed,
+    }
+}
+
+/// The most pixels a world unit of the wire takes in any view whose longer side is 512 px.
+fn pixels_per_world(sculpture: &Sculpture) -> f64 {
+    let standard = View::canonical(2.2, SIZE_PX as usize);
+    let views = if sculpture.views.is_empty() { &standard[..] } else { &sculpture.views };
+    let in_view = |view: &View| {
+        let camera = view.camera::<f64>();
+        let scale = SIZE_PX / view.width_px.max(view.height_px) as f64;
+        let points = sculpture.wire.control_points().iter();
+        points.map(|point| camera.pixels_per_world(point)).fold(0.0, f64::max) * scale
+    };
+    views.iter().map(in_view).fold(0.0, f64::max)
+}
+
+fn knot_code(wire: &Wire) -> KnotCode {
+    let domain = &wire.knots()[3..wire.knots().len() - 3];
+    let widths: Vec<f64> = domain.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let longest = widths.iter().copied().fold(0.0, f64::max);
+    let halvings = |width: f64| (longest / width).log2();
+    let whole = |x: f64| (x - x.round()).abs() < 1e-9 && x < 32.0;
+    let per_octave =
+        if widths.iter().all(|&width| width == 0.0 || whole(halvings(width))) { 1 } else { STEPS_PER_OCTAVE };
+    let interval = |&width: &f64| match width > 0.0 {
+        true => 1 + (halvings(width) * per_octave as f64).round() as i64,
+        false => 0,
+    };
+    KnotCode { start: domain[0], longest, per_octave, intervals: widths.iter().map(interval).collect() }
+}
+
+fn sculpture(contents: Contents) -> Result<Sculpture> {
+    let Contents { form, closed, steps, control_points, knots, views, task, seed } = contents;
+    let steps = steps.map(f64::from);
+    let control_points = control_points
+        .iter()
+        .map(|&[x, y, z, width]| {
+            let [x, y, z] = [x, y, z].map(|c| c as f64 * steps[0]);
+            [x, y, z, width as f64 * steps[1]]
+        })
+        .collect();
+    let wire = Wire::new(form, closed, knots_from(&knots, closed), control_points)?;
+    for view in &views {
+        view.check()?;
+    }
+    Ok(Sculpture { wire, views, made_with: MadeWith { task, seed, ..MadeWith::default() } })
+}
+
+fn knots_from(code: &KnotCode, closed: bool) -> Vec<f64> {
+    let width = |&interval: &i64| match interval {
+        0 => 0.0,
+        _ => code.longest * (-((interval - 1) as f64) / code.per_octave as f64).exp2(),
+    };
+    let mut domain = vec![code.start];
+    let mut sum = 0.0;
+    for interval in &code.intervals {
+        sum += width(interval);
+        domain.push(code.start + sum);
+    }
+    let last = domain.len() - 1;
+    let (start, end) = (domain[0], domain[last]);
+    let beyond = |i: usize| if closed && last >= 3 { (domain[last - i] - sum, domain[i] + sum) } else { (start, end) };
+    let before: Vec<f64> = (1..=3).rev().map(|i| beyond(i).0).collect();
+    let after: Vec<f64> = (1..=3).map(|i| beyond(i).1).collect();
+    [before, domain, after].concat()
+}
