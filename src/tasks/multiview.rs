@@ -9,8 +9,10 @@ use crate::objective::Displacement;
 use crate::optimize::{Event, Problem, Session, WidthBounds};
 use crate::sculpture::{MadeWith, Sculpture, render};
 use crate::settings::{Bend, Ink, OnOff, Settings, Start, Turn};
-use crate::start::{self, ArrangeOptions, Arrangement, Coverable, HullOptions, Path, TrailOptions, TreeOptions};
-use crate::view::{Image, Picture, Polarity, ViewSpec, ink};
+use crate::start::{
+    self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, TrailOptions, TreeOptions,
+};
+use crate::view::{Image, Picture, Polarity, Target, ViewSpec, ink};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 
@@ -130,9 +132,14 @@ impl Plan {
     }
 
     /// The wire the fit starts from. `progress` (0 to 1) stops the search by returning false; what there is is used.
-    fn first_wire(&self, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Wire> {
+    fn first_wire(
+        &self,
+        targets: &[Target],
+        settings: &Settings,
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<Wire> {
         let px = self.world_per_px_256();
-        let path = self.first_path(settings, progress)?;
+        let path = self.first_path(targets, settings, progress)?;
         let wire = match settings.control_points {
             0 => start::wire_along(&path, CONTROL_SPACING_PX * px)?,
             count => start::wire_with(&path, count)?,
@@ -140,8 +147,13 @@ impl Plan {
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
 
-    fn first_path(&self, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Path> {
-        let Arrangement { targets, half_extents_world, height_world, .. } = &self.arrangement;
+    fn first_path(
+        &self,
+        targets: &[Target],
+        settings: &Settings,
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<Path> {
+        let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
             Start::Tree => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
@@ -166,11 +178,16 @@ const CONTROL_SPACING_PX: f64 = 4.0;
 /// The paper's largest number of points.
 const BALL_POINTS: usize = 220;
 
+/// Share of the start's progress that bending the drawings takes.
+const BENDING_SHARE: f32 = 0.4;
+
 /// A fit under way.
 pub struct Run {
     plan: Plan,
     settings: Settings,
     session: Session,
+    /// How far each view's ink was moved before the fit.
+    moved_before: Vec<Displacement>,
 }
 
 impl Run {
@@ -180,17 +197,28 @@ impl Run {
     /// # Errors
     /// As the start chosen by the settings, and [`Problem::check`].
     pub fn start(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
-        let wire = plan.first_wire(settings, progress)?;
+        let mut targets = plan.arrangement.targets.clone();
+        let mut moved_before = vec![Displacement::default(); targets.len()];
+        let mut done = 0.0;
+        if settings.bend == Bend::Free {
+            done = BENDING_SHARE;
+            let bent = start::bend(&targets, &BendOptions::default(), &mut |share| progress(BENDING_SHARE * share))?;
+            targets = bent.targets;
+            for (moved, (mean, max)) in moved_before.iter_mut().zip(bent.mean_px.iter().zip(&bent.max_px)) {
+                *moved = Displacement { mean_px: f64::from(*mean), max_px: f64::from(*max) };
+            }
+        }
+        let wire = plan.first_wire(&targets, settings, &mut |share| progress(done + (1.0 - done) * share))?;
         let px = plan.world_per_px_256();
         let problem = Problem {
             wire,
-            targets: plan.arrangement.targets.clone(),
+            targets,
             view_weights: Vec::new(),
             width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
             recipe: recipe(settings),
             seed: settings.seed,
         };
-        Ok(Run { plan, settings: settings.clone(), session: Session::new(problem)? })
+        Ok(Run { plan, settings: settings.clone(), session: Session::new(problem)?, moved_before })
     }
 
     /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
@@ -227,9 +255,15 @@ impl Run {
         }
     }
 
-    /// Each view's target as it is bent now and how far its ink moved; `None` where nothing bends.
+    /// Each view's target as it is bent now and how far its ink moved at most (what bending before and during the fit
+    /// moved it, added up); `None` where nothing bends.
     pub fn bent(&self) -> Option<Vec<(Image, Displacement)>> {
-        (self.settings.bend != Bend::None).then(|| self.session.bent_targets())
+        let added = |((picture, during), before): ((Image, Displacement), &Displacement)| {
+            let Displacement { mean_px, max_px } = during;
+            (picture, Displacement { mean_px: mean_px + before.mean_px, max_px: max_px + before.max_px })
+        };
+        (self.settings.bend != Bend::None)
+            .then(|| self.session.bent_targets().into_iter().zip(&self.moved_before).map(added).collect())
     }
 
     /// The `result` part of a report: the best wire so far against the arranged targets and, where they bend, against
