@@ -29,6 +29,8 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
         Some(("multiview", matches)) => multiview::run(matches),
         Some(("render", matches)) => wires::render(matches),
         Some(("metrics", matches)) => wires::metrics(matches),
+        Some(("share", matches)) => wires::share(matches),
+        Some(("open", matches)) => wires::open(matches),
         Some(("device", matches)) => wires::device(matches),
         _ => unreachable!("clap asks for a known verb"),
     }

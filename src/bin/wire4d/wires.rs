@@ -3,6 +3,8 @@
 use crate::args;
 use clap::ArgMatches;
 use std::path::Path;
+use wire4d::export;
+use wire4d::files::write_whole;
 use wire4d::metrics::ResultReport;
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
@@ -42,6 +44,21 @@ pub fn metrics(matches: &ArgMatches) -> Result<()> {
         ));
     }
     print_json(&ResultReport::measure(&made, &targets))
+}
+
+/// `wire4d share`.
+pub fn share(matches: &ArgMatches) -> Result<()> {
+    println!("{}", export::share_code(&read_wire(args::path(matches, "wire"))?));
+    Ok(())
+}
+
+/// `wire4d open`.
+pub fn open(matches: &ArgMatches) -> Result<()> {
+    let made = export::open_share_code(matches.get_one::<String>("code").map_or("", String::as_str))?;
+    let out = args::path(matches, "out");
+    write_whole(out, made.to_json().as_bytes())?;
+    println!("{}", out.display());
+    Ok(())
 }
 
 /// `wire4d device`.

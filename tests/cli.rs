@@ -1,0 +1,227 @@
+//! The command line on real pictures and on bad input, as a person would use it.
+#![cfg(feature = "cli")]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn drawing(set: &str, view: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawings").join(set).join(format!("{view}.png"))
+}
+
+fn wire4d(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_wire4d")).args(arguments).output().unwrap()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// A quick run on a pair; the flags keep it under a few seconds.
+fn quick_run(out: &Path, more: &[&str]) -> Output {
+    let (front, side) = (drawing("p05-tools", "front"), drawing("p05-tools", "side"));
+    let mut arguments = vec!["multiview", text(&front), text(&side), "--out", text(out)];
+    arguments.extend(["--preset", "fast", "--size", "96", "--iterations", "60", "--grid", "32"]);
+    arguments.extend(more);
+    wire4d(&arguments)
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+}
+
+#[track_caller]
+fn succeeds(output: &Output) -> String {
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout.clone()).unwrap().trim().to_owned()
+}
+
+/// Status 2 and one line that names the input.
+#[track_caller]
+fn refused(output: &Output, names: &str) {
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert_eq!(stderr.trim().lines().count(), 1, "{stderr}");
+    assert!(stderr.contains(names), "{stderr:?} does not name {names:?}");
+    assert!(stderr.contains(';'), "{stderr:?} does not say what to do");
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn a_run_writes_everything_and_every_verb_reads_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    assert_eq!(succeeds(&quick_run(&out, &["--bend", "little"])), out.join("report.json").display().to_string());
+    for name in ["wire.json", "wire.glb", "loss.csv", "front.png", "side-target.png", "front-bent.png"] {
+        assert!(out.join(name).is_file(), "{name} is missing");
+    }
+
+    let report = json(&out.join("report.json"));
+    assert_eq!(
+        (&report["task"], &report["stopped"], &report["time"]["iterations"]),
+        (&"multiview".into(), &false.into(), &60.into())
+    );
+    let views = report["result"]["views"].as_array().unwrap();
+    assert_eq!(views.len(), 2);
+    for view in views {
+        assert!(view["bent"]["soft_iou"].as_f64().unwrap() > 0.5, "{view}");
+        assert!(view["target_coverable"].as_f64().unwrap() > 0.9, "{view}");
+    }
+    assert_eq!(report["result"]["components"], 1);
+    let loss = fs::read_to_string(out.join("loss.csv")).unwrap();
+    let totals: Vec<f64> = loss.lines().skip(1).map(|line| line.split(',').nth(1).unwrap().parse().unwrap()).collect();
+    assert_eq!(totals.len(), 60);
+    assert!(totals[59] < totals[48], "the loss of the last stage falls");
+
+    let wire = out.join("wire.json");
+    let rendered = folder.path().join("front.png");
+    succeeds(&wire4d(&["render", text(&wire), "--view", "front", "--size", "96", "--out", text(&rendered)]));
+    assert_eq!(fs::read(&rendered).unwrap(), fs::read(out.join("front.png")).unwrap());
+
+    let target = out.join("front-target.png");
+    let metrics = succeeds(&wire4d(&["metrics", text(&wire), "--targets", text(&target)]));
+    let metrics: Value = serde_json::from_str(&metrics).unwrap();
+    for figure in ["components", "length", "control_points", "min_width"] {
+        assert_eq!(metrics[figure], report["result"][figure], "{figure}");
+    }
+    let again = metrics["views"][0]["soft_iou"].as_f64().unwrap();
+    assert!((again - views[0]["soft_iou"].as_f64().unwrap()).abs() < 0.02, "{again}");
+
+    for ending in ["glb", "stl", "obj", "svg", "bend.csv", "wire.json"] {
+        let file = folder.path().join(format!("wire.{ending}"));
+        succeeds(&wire4d(&["export", text(&wire), "--to", text(&file)]));
+        assert!(fs::metadata(&file).unwrap().len() > 100, "{ending}");
+    }
+    let code = succeeds(&wire4d(&["share", text(&wire)]));
+    let opened = folder.path().join("opened.json");
+    succeeds(&wire4d(&["open", &code, "--out", text(&opened)]));
+    let length = |path: &Path| {
+        let metrics: Value = serde_json::from_str(&succeeds(&wire4d(&["metrics", text(path)]))).unwrap();
+        metrics["length"].as_f64().unwrap()
+    };
+    assert!((length(&wire) - length(&opened)).abs() < 0.02 * length(&wire));
+    succeeds(&wire4d(&["device"]));
+}
+
+#[test]
+fn the_same_seed_gives_the_same_wire_and_another_run_touches_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let (a, b) = (folder.path().join("a"), folder.path().join("b"));
+    succeeds(&quick_run(&a, &[]));
+    succeeds(&quick_run(&b, &[]));
+    assert_eq!(fs::read(a.join("wire.json")).unwrap(), fs::read(b.join("wire.json")).unwrap());
+
+    let before = fs::read(a.join("report.json")).unwrap();
+    refused(&quick_run(&a, &[]), text(&a));
+    assert_eq!(fs::read(a.join("report.json")).unwrap(), before);
+    succeeds(&quick_run(&a, &["--overwrite", "--iterations", "61"]));
+    assert_ne!(fs::read(a.join("wire.json")).unwrap(), fs::read(b.join("wire.json")).unwrap());
+}
+
+#[test]
+fn views_from_other_directions_are_shown_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    let placed = format!("{}@45,10", text(&drawing("t07-outlines", "front")));
+    succeeds(&quick_run(&out, &["--view", &placed, "--bend", "none"]));
+    let report = json(&out.join("report.json"));
+    let names: Vec<_> = report["result"]["views"].as_array().unwrap().iter().map(|view| &view["name"]).collect();
+    assert_eq!(names, ["front", "side", "45,10"]);
+    assert!(out.join("45,10.png").is_file());
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_stops_the_run_and_keeps_what_there_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    let (front, side) = (drawing("p05-tools", "front"), drawing("p05-tools", "side"));
+    let run = Command::new(env!("CARGO_BIN_EXE_wire4d"))
+        .args(["multiview", text(&front), text(&side), "--out", text(&out), "--iterations", "100000", "--quiet"])
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(4));
+    assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
+    succeeds(&run.wait_with_output().unwrap());
+    let report = json(&out.join("report.json"));
+    assert_eq!(report["stopped"], true);
+    assert!(report["time"]["iterations"].as_u64().unwrap() < 100_000);
+    assert!(out.join("wire.json").is_file());
+}
+
+#[test]
+fn bad_input_is_refused_in_one_line_and_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let good = fs::read(drawing("p05-tools", "front")).unwrap();
+    fs::write(at("notes.png"), "this is no picture").unwrap();
+    fs::write(at("cut.png"), &good[..good.len() / 2]).unwrap();
+    fs::write(at("empty.png"), "").unwrap();
+    grey(&at("blank.png"), 64, |_, _| 255);
+    grey(&at("full.png"), 64, |_, _| 0);
+    grey(&at("dot.png"), 64, |x, y| if (x, y) == (30, 30) { 0 } else { 255 });
+    // Ink only in the upper or only in the lower half: nothing to share once nothing may be cropped or moved.
+    let (front, side) = (drawing("p05-tools", "front"), drawing("p05-tools", "side"));
+    let out = at("out");
+    let run = |pictures: &[&Path], more: &[&str]| {
+        let mut arguments = vec!["multiview"];
+        arguments.extend(pictures.iter().map(|path| text(path)));
+        arguments.extend(["--out", text(&out)]);
+        arguments.extend(more);
+        wire4d(&arguments)
+    };
+    for name in ["notes.png", "cut.png", "empty.png", "blank.png", "full.png", "dot.png", "missing.png"] {
+        refused(&run(&[&front, &at(name)], &[]), name);
+    }
+    refused(&run(&[&front, folder.path()], &[]), text(folder.path()));
+    refused(&run(&[&front], &[]), "1 picture");
+    refused(&run(&[&front, &side], &["--control-points", "3"]), "control_points");
+    refused(&run(&[&front, &side], &["--control-points", "20001"]), "control_points");
+    refused(&run(&[&front, &side], &["--iterations", "many"]), "iterations");
+    refused(&run(&[&front, &side], &["--set", "wobble=3"]), "wobble");
+    refused(&run(&[&front, &side], &["--set", "wobble"]), "wobble");
+    refused(&run(&[&front, &side], &["--min-width", "NaN"]), "min_width");
+    refused(&run(&[&front, &side], &["--min-width", "8", "--max-width", "2"]), "min_width");
+    refused(&run(&[&front, &side], &["--bend", "lots"]), "bend");
+    refused(&run(&[&front, &side], &["--frobnicate"]), "--frobnicate");
+    refused(&run(&[&front, &side], &["--view", "x.png"]), "x.png");
+    refused(&run(&[&front, &side], &["--view", "x.png@1,2"]), "x.png");
+    refused(&run(&[&front, &side], &["--backend", "quantum"]), "backend");
+    refused(&wire4d(&["multiview", text(&front), text(&side), "--out", "/proc/nowhere/out"]), "/proc/nowhere/out");
+    fs::write(at("file"), "mine").unwrap();
+    refused(&wire4d(&["multiview", text(&front), text(&side), "--out", text(&at("file"))]), "file");
+    assert_eq!(fs::read_to_string(at("file")).unwrap(), "mine");
+
+    fs::write(at("foreign.json"), r#"{"format": "other"}"#).unwrap();
+    fs::write(at("broken.json"), "{").unwrap();
+    for name in ["foreign.json", "broken.json", "none.json", "blank.png"] {
+        refused(&wire4d(&["metrics", text(&at(name))]), name);
+        refused(&wire4d(&["render", text(&at(name)), "--out", text(&at("r.png"))]), name);
+        refused(&wire4d(&["export", text(&at(name)), "--to", text(&at("r.glb"))]), name);
+    }
+    for code in ["", "x", "AAAA", "!!!!", &"A".repeat(5000)] {
+        refused(&wire4d(&["open", code, "--out", text(&at("o.json"))]), "share code");
+    }
+    refused(&wire4d(&["raster", text(&at("foreign.json"))]), "foreign.json");
+
+    let mut left: Vec<_> = fs::read_dir(folder.path()).unwrap().flatten().map(|entry| entry.file_name()).collect();
+    left.sort();
+    let made = [
+        "blank.png",
+        "broken.json",
+        "cut.png",
+        "dot.png",
+        "empty.png",
+        "file",
+        "foreign.json",
+        "full.png",
+        "notes.png",
+    ];
+    assert_eq!(left, made, "nothing was left behind");
+}
+
+fn grey(path: &Path, size: u32, value: impl Fn(u32, u32) -> u8) {
+    image::GrayImage::from_fn(size, size, |x, y| image::Luma([value(x, y)])).save(path).unwrap();
+}
