@@ -1,9 +1,28 @@
+import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
+
+/** Nothing leaves the device, and nothing from elsewhere runs. Only in the build: the development server injects styles. */
+const contentSecurityPolicy: Plugin = {
+  name: "content-security-policy",
+  apply: "build",
+  transformIndexHtml: () => [
+    {
+      tag: "meta",
+      attrs: {
+        "http-equiv": "Content-Security-Policy",
+        content: "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; object-src 'none'; base-uri 'none'; form-action 'none'",
+      },
+      injectTo: "head-prepend",
+    },
+  ],
+};
 
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
+  plugins: [contentSecurityPolicy],
   worker: { format: "es" },
+  server: { fs: { allow: [".."] } },
   build: { outDir: "../dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0 },
   test: {
     projects: [

@@ -1,5 +1,13 @@
-//! The core as the page's worker sees it: a wasm-bindgen façade and no maths.
+//! The core as the page's worker sees it: a wasm-bindgen façade and no maths. Numbers cross as typed arrays, small
+//! things as JSON, errors as the core's own sentences.
 
+mod made;
+mod pictures;
+mod run;
+
+use crate::settings::{Settings, TABLE};
+use crate::{Error, Result};
+use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
 
 /// Panics become readable errors in the browser's console.
@@ -8,8 +16,20 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// This crate's version.
+/// The settings table as JSON.
 #[wasm_bindgen]
-pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
+pub fn settings_table() -> String {
+    json(&TABLE)
+}
+
+/// Settings from a JSON object of texts by name.
+fn parse_settings(text: &str) -> Result<Settings> {
+    let pairs: BTreeMap<String, String> = serde_json::from_str(text)
+        .map_err(|error| Error::setting("settings", error.to_string(), "give an object of texts by name"))?;
+    Settings::from_pairs(pairs.iter().map(|(name, value)| (name.as_str(), value.as_str())))
+}
+
+/// JSON of values whose serialisation cannot fail: plain numbers, texts and lists.
+fn json(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default()
 }

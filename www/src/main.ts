@@ -1,4 +1,2 @@
-const worker = new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
-worker.onmessage = (event: MessageEvent<string>) => {
-  document.body.textContent = `Wire4D ${event.data}`;
-};
+import "./styles.css";
+import "./ui/wire-app";

@@ -1,0 +1,46 @@
+import { expect, it } from "vitest";
+import { basis, sampleWire } from "./shape";
+import { buildRings, RING_FLOATS } from "./tube";
+
+const knots = [0, 0, 0, 0, 0.7, 1.1, 2, 2, 2, 2];
+const controlPoints = [0, 0, 0, 0.1, 1, 0, 0, 0.2, 1, 1, 0, 0.1, 0, 1, 1, 0.2, 0, 0, 1, 0.1, 1, 0, 1, 0.3];
+
+it("has weights that sum to one and slopes that sum to nothing and match differences", () => {
+  const [weights, slopes, before, after, unused] = Array.from({ length: 5 }, () => new Float64Array(4)) as Float64Array[];
+  for (const [span, t] of [[3, 0.3], [4, 0.9], [5, 1.4]] as const) {
+    basis(knots, span, t, weights!, slopes!);
+    expect(weights!.reduce((a, b) => a + b)).toBeCloseTo(1, 12);
+    expect(slopes!.reduce((a, b) => a + b)).toBeCloseTo(0, 12);
+    basis(knots, span, t - 1e-5, before!, unused!);
+    basis(knots, span, t + 1e-5, after!, unused!);
+    for (let k = 0; k < 4; k++) expect(slopes![k]).toBeCloseTo((after![k]! - before![k]!) / 2e-5, 6);
+  }
+});
+
+it("begins and ends an open wire at its first and last control point", () => {
+  const samples = sampleWire({ closed: false, knots, controlPoints }, 5);
+  expect(samples.strips).toEqual([{ first: 0, last: 15, closed: false }]);
+  expect([...samples.points.subarray(0, 4)]).toEqual([0, 0, 0, Math.fround(0.05)]);
+  expect([...samples.points.subarray(60, 64)].map((x) => Math.round(x * 1e6) / 1e6)).toEqual([1, 0, 1, 0.15]);
+});
+
+it("breaks where four knots are equal, and closes a closed wire", () => {
+  const pieces = sampleWire({ closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2], controlPoints: Array(32).fill(0.5) }, 4);
+  expect(pieces.strips.map(({ first, last }) => [first, last])).toEqual([[0, 4], [5, 9]]);
+  const loop = sampleWire({ closed: true, knots: Array.from({ length: 13 }, (_, i) => i), controlPoints }, 4);
+  expect(loop.strips).toEqual([{ first: 0, last: 23, closed: true }]);
+});
+
+it("makes rings with frames at right angles, finite even where the wire stands still", () => {
+  const still = { closed: false, knots, controlPoints: controlPoints.map((x, i) => (i < 16 ? [0, 0, 0, 0.1][i % 4]! : x)) };
+  for (const wire of [{ closed: false, knots, controlPoints }, still]) {
+    const { data, count } = buildRings(sampleWire(wire, 6));
+    for (let ring = 0; ring < count; ring++) {
+      const r = data.subarray(ring * RING_FLOATS, (ring + 1) * RING_FLOATS);
+      expect(r.every(Number.isFinite)).toBe(true);
+      expect(r[4]! * r[8]! + r[5]! * r[9]! + r[6]! * r[10]!).toBeCloseTo(0, 5);
+      expect(Math.hypot(r[8]!, r[9]!, r[10]!)).toBeCloseTo(1, 5);
+    }
+    expect(data[(count - 1) * RING_FLOATS + 3]).toBeLessThan(0);
+  }
+});

@@ -1,0 +1,73 @@
+/** The page's end of the worker: calls as promises, news as callbacks, and a fresh worker after a crash or a cancel. */
+
+import type { Answer, CallName, Calls, Control, News, Request } from "./protocol";
+
+/** A sentence for people: what happened and what to do. */
+export class Problem extends Error {}
+/** The call was given up because the person asked for it. */
+export class Cancelled extends Error {}
+
+interface Waiting {
+  resolve(answer: unknown): void;
+  reject(reason: Error): void;
+}
+
+const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; please try again.";
+
+export class EngineClient {
+  private worker: Worker | null = null;
+  private readonly waiting = new Map<number, Waiting>();
+  private nextId = 1;
+
+  constructor(private readonly onNews: (news: News) => void) {
+    this.start();
+  }
+
+  call<K extends CallName>(call: K, given: Calls[K]["arguments"], transfer: Transferable[] = []): Promise<Calls[K]["answer"]> {
+    const worker = this.worker ?? this.start();
+    const id = this.nextId++;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve: resolve as (answer: unknown) => void, reject });
+      worker.postMessage({ id, call, ...given } as unknown as Request, transfer);
+    });
+  }
+
+  control(control: Control["control"]): void {
+    this.worker?.postMessage({ control } satisfies Control);
+  }
+
+  /** Ends whatever runs, even where it does not listen, and starts afresh. */
+  cancel(): void {
+    this.drop(new Cancelled("cancelled"));
+    this.start();
+  }
+
+  private start(): Worker {
+    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "wire4d" });
+    worker.onmessage = ({ data }: MessageEvent<Answer | News>) => {
+      if ("news" in data) {
+        this.onNews(data);
+        return;
+      }
+      const call = this.waiting.get(data.id);
+      this.waiting.delete(data.id);
+      if ("problem" in data) call?.reject(new Problem(data.problem));
+      else call?.resolve(data.answer);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      console.error(event.message);
+      if (this.worker === worker) this.drop(new Problem(CRASHED));
+    };
+    this.worker = worker;
+    return worker;
+  }
+
+  private drop(reason: Error): void {
+    this.worker?.terminate();
+    this.worker = null;
+    const given = [...this.waiting.values()];
+    this.waiting.clear();
+    for (const call of given) call.reject(reason);
+  }
+}

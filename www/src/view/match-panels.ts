@@ -1,0 +1,131 @@
+import { css, html, LitElement, type PropertyValues } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import { sampleWire, type Samples, type WireShape } from "../embed/shape";
+import type { Target, View } from "../engine/protocol";
+import { percent } from "../state/words";
+import { paintInk, paintWire } from "./paint";
+
+const SIZE_PX = 192;
+
+/** One small picture a view: the drawing in copper, the wire over it. Copper that is left over is missing from the wire. */
+@customElement("match-panels")
+export class MatchPanels extends LitElement {
+  @property({ attribute: false }) views: readonly View[] = [];
+  @property({ attribute: false }) targets: readonly Target[] = [];
+  /** How well each view matches, by its name, 0 to 1. */
+  @property({ attribute: false }) shares: ReadonlyMap<string, number | null> = new Map();
+  private samples: Samples | null = null;
+  private readonly inks = new Map<string, HTMLCanvasElement>();
+  private next = 0;
+  private left = 0;
+  private frame = 0;
+
+  static override styles = css`
+    :host {
+      display: grid;
+      grid-template-columns: repeat(3, minmax(0, 1fr));
+      gap: 8px;
+    }
+    figure {
+      margin: 0;
+      min-width: 0;
+    }
+    canvas {
+      display: block;
+      box-sizing: border-box;
+      width: 100%;
+      aspect-ratio: 1;
+      border: 1px solid var(--line);
+      border-radius: 6px;
+      background: var(--raised);
+    }
+    figcaption {
+      display: flex;
+      justify-content: space-between;
+      gap: 4px;
+      margin-top: 4px;
+      font-size: 13px;
+      white-space: nowrap;
+    }
+    .name {
+      overflow: hidden;
+      text-overflow: ellipsis;
+      text-transform: capitalize;
+      color: var(--quiet);
+    }
+    .match {
+      font-weight: 600;
+    }
+  `;
+
+  override render() {
+    const shown: readonly { name: string }[] = this.views.length ? this.views : [{ name: "front" }, { name: "side" }, { name: "top" }];
+    return shown.map(({ name }) => {
+      const match = this.shares.get(name);
+      return html`<figure>
+        <canvas width=${SIZE_PX} height=${SIZE_PX} role="img" aria-label="The wire seen from the ${name} over its drawing"></canvas>
+        <figcaption>
+          <span class="name">${name}</span>
+          <span class="match" data-view=${name}>${match == null ? "–" : percent(match)}</span>
+        </figcaption>
+      </figure>`;
+    });
+  }
+
+  /** Repaints one view a frame, so that three never weigh on the same one. */
+  setWire(wire: WireShape | null): void {
+    this.samples = wire && sampleWire(wire, 4);
+    this.repaint();
+  }
+
+  repaint(): void {
+    this.left = Math.max(1, this.views.length);
+    this.frame ||= requestAnimationFrame(this.paintNext);
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    if (changed.has("targets") || changed.has("views")) {
+      this.inks.clear();
+      this.repaint();
+    }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+  }
+
+  private readonly paintNext = (): void => {
+    this.frame = 0;
+    const canvases = this.renderRoot.querySelectorAll("canvas");
+    const index = this.next++ % Math.max(1, this.views.length);
+    const view = this.views[index];
+    const canvas = canvases[index];
+    if (view && canvas) this.paintView(canvas, view);
+    if (--this.left > 0) this.frame = requestAnimationFrame(this.paintNext);
+  };
+
+  private paintView(canvas: HTMLCanvasElement, view: View): void {
+    const context = canvas.getContext("2d")!;
+    const style = getComputedStyle(this);
+    context.clearRect(0, 0, SIZE_PX, SIZE_PX);
+    const target = this.targets.find((target) => target.view.name === view.name);
+    if (target) {
+      let ink = this.inks.get(view.name);
+      if (!ink) {
+        ink = document.createElement("canvas");
+        paintInk(ink, target, style.getPropertyValue("--copper"), 0.6);
+        this.inks.set(view.name, ink);
+      }
+      context.drawImage(ink, 0, 0, SIZE_PX, SIZE_PX);
+    }
+    if (this.samples) paintWire(context, this.samples, view, SIZE_PX, style.getPropertyValue("--ink"));
+  }
+
+  /** The colours changed. */
+  recolour(): void {
+    this.inks.clear();
+    this.repaint();
+  }
+}
