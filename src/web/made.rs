@@ -52,14 +52,14 @@ const TUBE_SAMPLES: usize = 8;
 impl Made {
     /// Opens what a link carries.
     pub fn from_share_code(code: &str) -> Result<Made, JsError> {
-        let (problem, remedy) = ("links cannot be opened yet".into(), format!("keep this code: {code}"));
-        Err(crate::Error::ShareCode { problem, remedy }.into())
+        let sculpture = export::open_share_code(code)?;
+        let result = ResultReport::measure(&sculpture, &[]);
+        Ok(Made { sculpture, targets: Vec::new(), result })
     }
 
     /// What a link carries.
-    pub fn share_code(&self) -> Result<String, JsError> {
-        let (problem, remedy) = ("links cannot be made yet".into(), "save wire.json instead".into());
-        Err(crate::Error::ShareCode { problem, remedy }.into())
+    pub fn share_code(&self) -> String {
+        export::share_code(&self.sculpture)
     }
 
     /// The wire.

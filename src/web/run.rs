@@ -30,7 +30,8 @@ impl Run {
         for words in plan.notes() {
             let _ = note.call1(&JsValue::NULL, &words.into());
         }
-        let words = format!("Finding a way for the wire; {:.0}% of the ink can be shown", 100.0 * plan.mean_coverable());
+        let words =
+            format!("Finding a way for the wire; {:.0}% of the ink can be shown", 100.0 * plan.mean_coverable());
         say(&words, 0.0);
         let run = multiview::Run::start(plan, &settings, &mut |share| {
             say(&words, share.into());

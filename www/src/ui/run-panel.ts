@@ -52,7 +52,7 @@ export class RunPanel extends LitElement {
         display: flex;
         justify-content: space-between;
         gap: 8px;
-        min-height: 38px;
+        min-height: 36px;
         margin: 6px 0 0;
         font-size: 13px;
         color: var(--quiet);
@@ -66,7 +66,7 @@ export class RunPanel extends LitElement {
   override render() {
     const { phase, progress, said } = this.state;
     const going = phase !== "idle";
-    const words = going ? (phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : progress.words) : said;
+    const words = going ? (phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : progress.words) : said || "Everything runs on this device.";
     return html`
       <div class="buttons">
         ${going

@@ -29,7 +29,7 @@ export class WireStage extends LitElement {
         display: block;
         width: 100%;
         height: 100%;
-        mask-image: linear-gradient(to right, transparent, #000 64px, #000 calc(100% - 64px), transparent);
+        mask-image: linear-gradient(to right, transparent, #000 12%, #000 88%, transparent);
         touch-action: none;
         cursor: grab;
       }
