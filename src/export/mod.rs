@@ -1,15 +1,21 @@
 //! Files and links from a sculpture: tube meshes (GLB, STL, OBJ), drawings (SVG), bend lists, share codes.
 
+mod bend;
+mod format;
 mod glb;
 mod mesh;
 mod obj;
 mod share;
 mod stl;
+mod svg;
 mod tube;
 
+pub use bend::bend_csv;
+pub use format::{ExportOptions, Format, export};
 pub use glb::glb;
 pub use mesh::TriangleMesh;
 pub use obj::obj;
 pub use share::{open_share_code, share_code};
 pub use stl::stl;
+pub use svg::{SvgOptions, svg};
 pub use tube::{TubeOptions, tube};

@@ -1,0 +1,167 @@
+//! Which file a name's ending asks for, and the one function that writes any of them.
+
+use super::{SvgOptions, TubeOptions, bend_csv, glb, obj, stl, svg, tube};
+use crate::sculpture::{Sculpture, Strand, strands};
+use crate::view::View;
+use crate::{Error, Result};
+use serde_json::json;
+
+/// A file format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// glTF 2.0, binary: a solid with material.
+    Glb,
+    /// Binary STL in millimetres: a solid for printing.
+    Stl,
+    /// Wavefront OBJ: a solid.
+    Obj,
+    /// A view's outlines.
+    Svg,
+    /// A bend list in millimetres.
+    BendCsv,
+    /// The sculpture itself.
+    WireJson,
+}
+
+impl Format {
+    /// All of them with their endings.
+    pub const ALL: [(Format, &'static str); 6] = [
+        (Format::Glb, "glb"),
+        (Format::Stl, "stl"),
+        (Format::Obj, "obj"),
+        (Format::Svg, "svg"),
+        (Format::BendCsv, "bend.csv"),
+        (Format::WireJson, "wire.json"),
+    ];
+
+    /// By the ending of a file's name or path, upper or lower case. `wire.json` may be the whole name.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] that lists the endings there are.
+    pub fn from_path(path: &str) -> Result<Format> {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or_default().to_lowercase();
+        let fits = |ending: &str| {
+            name.strip_suffix(ending)
+                .is_some_and(|stem| stem.ends_with('.') || (stem.is_empty() && ending.contains('.')))
+        };
+        Format::ALL.iter().find(|(_, ending)| fits(ending)).map(|&(format, _)| format).ok_or_else(|| {
+            let endings = Format::ALL.map(|(_, ending)| format!(".{ending}")).join(", ");
+            Error::setting("--to", format!("{path:?} has no ending of a known format"), format!("use one of {endings}"))
+        })
+    }
+}
+
+/// Choices that formats share. Lengths in millimetres are of the made object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExportOptions {
+    /// The longest side of the object, wire included, for STL and bend lists.
+    pub object_size_mm: f64,
+    /// No printed wire is thinner; its radius.
+    pub min_radius_mm: f64,
+    /// How far a bend list's polyline may leave the wire.
+    pub bend_tolerance_mm: f64,
+    /// How the solid is meshed. `min_radius_world` does not apply to STL, which has its own.
+    pub tube: TubeOptions,
+    /// How a view is drawn.
+    pub svg: SvgOptions,
+}
+
+impl Default for ExportOptions {
+    fn default() -> Self {
+        ExportOptions {
+            object_size_mm: 100.0,
+            min_radius_mm: 0.6,
+            bend_tolerance_mm: 0.5,
+            tube: TubeOptions::default(),
+            svg: SvgOptions::default(),
+        }
+    }
+}
+
+impl ExportOptions {
+    /// Whether all lengths can be used.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for one that cannot.
+    pub fn check(&self) -> Result<()> {
+        let lengths = [
+            ("object_size_mm", self.object_size_mm, 0.1..=1e5),
+            ("min_radius_mm", self.min_radius_mm, 0.0..=1e3),
+            ("bend_tolerance_mm", self.bend_tolerance_mm, 1e-3..=1e3),
+        ];
+        for (name, length, range) in lengths {
+            if !range.contains(&length) {
+                let remedy = format!("use {} to {} mm", range.start(), range.end());
+                return Err(Error::setting(name, format!("{length} is out of range"), remedy));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Samples a knot span before the tube is thinned.
+const SAMPLES_PER_SPAN: usize = 32;
+
+/// The bytes of a file. SVG draws `view`, or the first of the sculpture's views, or the front.
+///
+/// # Errors
+/// [`Error::Setting`] for options out of range.
+pub fn export(sculpture: &Sculpture, format: Format, view: Option<&View>, options: &ExportOptions) -> Result<Vec<u8>> {
+    options.check()?;
+    let strands = strands(&sculpture.wire, SAMPLES_PER_SPAN);
+    Ok(match format {
+        Format::Glb => glb(&tube(&strands, &options.tube), &extras(sculpture)),
+        Format::Obj => obj(&tube(&strands, &options.tube)).into_bytes(),
+        Format::Stl => {
+            let (mm_per_world, min_radius_world) = scale(&strands, options.object_size_mm, options.min_radius_mm);
+            stl(&tube(&strands, &TubeOptions { min_radius_world, ..options.tube }).scaled(mm_per_world))
+        }
+        Format::Svg => {
+            let [front, ..] = View::canonical(2.2, 256);
+            let view = view.or(sculpture.views.first()).unwrap_or(&front);
+            svg(&sculpture.wire, view, &options.svg).into_bytes()
+        }
+        Format::BendCsv => {
+            let (mm_per_world, _) = scale(&strands, options.object_size_mm, 0.0);
+            bend_csv(&strands, mm_per_world, options.bend_tolerance_mm).into_bytes()
+        }
+        Format::WireJson => sculpture.to_json().into_bytes(),
+    })
+}
+
+/// What the GLB says about its making.
+fn extras(sculpture: &Sculpture) -> serde_json::Value {
+    json!({ "wire4d": {
+        "version": sculpture.made_with.wire4d,
+        "task": sculpture.made_with.task,
+        "seed": sculpture.made_with.seed,
+        "views": sculpture.views.iter().map(|view| view.name.as_str()).collect::<Vec<_>>(),
+        "control_points": sculpture.wire.control_points().len(),
+        "closed": sculpture.wire.closed(),
+    } })
+}
+
+/// Millimetres a world unit so that the longest side is `size_mm`, and `min_radius_mm` in world units. A wire thickened
+/// to the least radius is larger, which is allowed for.
+fn scale(strands: &[Strand], size_mm: f64, min_radius_mm: f64) -> (f64, f64) {
+    let side = |min_radius_world: f64| {
+        let extent = |c: usize| {
+            let ends = strands.iter().flat_map(|strand| &strand.points).map(|p| {
+                let radius = (p[3] / 2.0).max(min_radius_world);
+                (p[c] - radius, p[c] + radius)
+            });
+            let (low, high) =
+                ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (a, b)| (low.min(a), high.max(b)));
+            high - low
+        };
+        (0..3).map(extent).fold(0.0, f64::max)
+    };
+    let bare = side(0.0).max(1e-9);
+    let mut mm_per_world = size_mm / bare;
+    // The size depends on the floor and the floor, in world units, on the size: each step halves what is left.
+    for _ in 0..20 {
+        let thick = side((min_radius_mm / mm_per_world).min(bare)).max(1e-9);
+        mm_per_world = 0.5 * (mm_per_world + size_mm / thick);
+    }
+    (mm_per_world, min_radius_mm / mm_per_world)
+}
