@@ -19,7 +19,7 @@ fn draw(svg: &str, width: usize, height: usize) -> Image {
     let mut winding = vec![0i32; columns * rows];
     let mut pen = [0i64; 2];
     for polygon in between("d=\"", "\"").split('z').filter(|polygon| !polygon.is_empty()) {
-        let spaced = polygon.replace('m', " ").replace('l', " ").replace('-', " -");
+        let spaced = polygon.replace(['m', 'l'], " ").replace('-', " -");
         let numbers: Vec<i64> = spaced.split_whitespace().map(|number| number.parse().unwrap()).collect();
         let mut points = vec![];
         for step in numbers.chunks_exact(2) {
