@@ -2,6 +2,7 @@
 //! `wasm` and `page`.
 
 mod build;
+mod figures;
 mod gallery;
 mod page;
 mod serve;
@@ -24,6 +25,7 @@ struct Verb {
 const VERBS: &[Verb] = &[
     Verb { name: "serve", options: "[--dev]", help: serve::HELP, run: serve::run },
     Verb { name: "build", options: "", help: build::HELP, run: build::run },
+    Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
 ];

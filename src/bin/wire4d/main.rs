@@ -29,6 +29,7 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
         Some(("multiview", matches)) => multiview::run(matches),
         Some(("render", matches)) => wires::render(matches),
         Some(("metrics", matches)) => wires::metrics(matches),
+        Some(("export", matches)) => wires::export(matches),
         Some(("share", matches)) => wires::share(matches),
         Some(("open", matches)) => wires::open(matches),
         Some(("device", matches)) => wires::device(matches),

@@ -3,7 +3,7 @@
 use crate::args;
 use clap::ArgMatches;
 use std::path::Path;
-use wire4d::export;
+use wire4d::export::{self, ExportOptions, Format};
 use wire4d::files::write_whole;
 use wire4d::metrics::ResultReport;
 use wire4d::sculpture::{self, Sculpture};
@@ -44,6 +44,17 @@ pub fn metrics(matches: &ArgMatches) -> Result<()> {
         ));
     }
     print_json(&ResultReport::measure(&made, &targets))
+}
+
+/// `wire4d export`.
+pub fn export(matches: &ArgMatches) -> Result<()> {
+    let to = args::path(matches, "to");
+    let format = Format::from_path(&to.to_string_lossy())?;
+    let made = read_wire(args::path(matches, "wire"))?;
+    let view = view_of(&made, matches)?;
+    write_whole(to, &export::export(&made, format, Some(&view), &ExportOptions::default())?)?;
+    println!("{}", to.display());
+    Ok(())
 }
 
 /// `wire4d share`.
