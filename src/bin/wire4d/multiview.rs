@@ -7,11 +7,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
+use wire4d::export::{ExportOptions, Format, export};
 use wire4d::metrics::{Report, TimeReport};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::{self, Drawing, Run};
 use wire4d::view::{GreyDepth, Image, ViewSpec, encode_png, parse_placed_picture, read_picture};
-use wire4d::{Error, Result, export, sculpture};
+use wire4d::{Error, Result, sculpture};
 
 /// Iterations between two looks at the clock and at Ctrl-C.
 const SLICE: usize = 5;
@@ -62,13 +63,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
 fn save(folder: &Folder, run: &Run, report: &Report) -> Result<()> {
     let made = run.sculpture();
     folder.write("wire.json", made.to_json().as_bytes())?;
-    folder.write(
-        "wire.glb",
-        &export::glb(
-            &export::tube(&sculpture::strands(&made.wire, 8), &export::TubeOptions::default()),
-            &serde_json::Value::Null,
-        ),
-    )?;
+    folder.write("wire.glb", &export(&made, Format::Glb, None, &ExportOptions::default())?)?;
     folder.write("loss.csv", run.loss_csv().as_bytes())?;
     let bent = run.bent();
     for (index, target) in run.plan().arrangement.targets.iter().enumerate() {
