@@ -1,7 +1,7 @@
 //! The rasteriser's speed: stored Bézier scenes with DiffVG's figures, and wires as a fit meets them.
 //!
-//! `cargo bench --bench raster` prints medians; `-- sweep` instead draws thousands of adversarial wires and compares
-//! them with a sampled union.
+//! `cargo bench --bench raster` prints medians; `-- doubled` only the cases with that word in their name; `-- sweep`
+//! instead draws thousands of adversarial wires and compares them with a sampled union.
 
 use std::time::Instant;
 use wire4d::raster::flatten::{FlatStroke, Subdivision};
@@ -30,6 +30,11 @@ fn main() {
     }
 }
 
+/// Whether the words on the command line ask for this case.
+fn wanted(name: &str) -> bool {
+    std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).all(|word| name.contains(&word))
+}
+
 fn median_and_least(mut times: Vec<f64>) -> (f64, f64) {
     times.sort_by(f64::total_cmp);
     (times[times.len() / 2], times[0])
@@ -44,6 +49,9 @@ fn bezier_scenes() {
         "| scene | flatten + forward | backward | both | DiffVG / both | stages (median) |\n|---|---|---|---|---|---|"
     );
     for (name, diffvg_forward, diffvg_backward) in SCENES {
+        if !wanted(name) {
+            continue;
+        }
         let path = format!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/raster/{}.json"), name);
         let text = std::fs::read(path).expect("scene");
         let json: serde_json::Value = serde_json::from_slice(&text).expect("scene");
@@ -131,7 +139,7 @@ fn doubled_walk(count: usize, size: f64, step: f64, rng: &mut Rng) -> Vec<[f64; 
     let mut control: Vec<[f64; 3]> = Vec::new();
     while control.len() < count {
         let from = if control.is_empty() { [size / 2.0, size / 2.0, 0.6] } else { control[control.len() - 1] };
-        let (mut angle, mut p, mut branch) = (rng.range(0.0, 6.283), from, vec![from]);
+        let (mut angle, mut p, mut branch) = (rng.range(0.0, std::f64::consts::TAU), from, vec![from]);
         for _ in 0..8 + rng.below(30) {
             angle += rng.range(-0.5, 0.5);
             let next = [p[0] + step * angle.cos(), p[1] + step * angle.sin(), p[2]];
@@ -154,6 +162,9 @@ fn fits() {
     println!("\n| fit, three views, forward + backward | nodes a view | exact | band |\n|---|---|---|---|");
     let mut rng = Rng::new(5, 0);
     let case = |name: &str, size: usize, views: Vec<Vec<[f64; 3]>>, samples: usize| {
+        if !wanted(name) {
+            return;
+        }
         let views: Vec<Vec<[f32; 3]>> = views.iter().map(|control| spline(control, samples)).collect();
         let exact = time_views::<ExactRaster>(size, &views);
         let band = time_views::<BandRaster>(size, &views);

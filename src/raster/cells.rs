@@ -11,9 +11,10 @@ const MOST_CELLS: usize = 64;
 /// Longer pieces are entered in parts of this length (in pixels), so that slanted ones fill no big boxes.
 const PART_PX: f32 = 16.0;
 
+/// A box and the polygon in it; long pieces have several.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    bounds: f32x4,
+    bounds: NegatedBox,
     order: u32,
 }
 
@@ -24,23 +25,44 @@ struct CellRange {
     y: [u16; 2],
 }
 
-/// Entries sorted by cell.
+impl CellRange {
+    #[inline(always)]
+    fn new(bounds: NegatedBox, columns: usize, rows: usize) -> Self {
+        // Casts saturate: what sticks out of the picture counts to its border cells.
+        let index = |px: f32, count: usize| ((px * (1.0 / CELL_PX)) as i32).clamp(0, count as i32 - 1) as u16;
+        CellRange {
+            x: [index(bounds[0], columns), index(-bounds[2], columns)],
+            y: [index(bounds[1], rows), index(-bounds[3], rows)],
+        }
+    }
+
+    #[inline(always)]
+    fn each_cell(self, columns: usize, mut f: impl FnMut(usize)) {
+        for y in self.y[0]..=self.y[1] {
+            for x in self.x[0]..=self.x[1] {
+                f(usize::from(y) * columns + usize::from(x));
+            }
+        }
+    }
+}
+
+/// Entries, and for each cell the indices of those that touch it.
 #[derive(Debug, Default)]
 pub(super) struct Cells {
     columns: usize,
     rows: usize,
-    pending: Vec<(CellRange, Entry)>,
-    starts: Vec<u32>,
     entries: Vec<Entry>,
+    starts: Vec<u32>,
+    lists: Vec<u32>,
     large: Vec<Entry>,
 }
 
 impl Cells {
     /// Sorts all polygons of a pass into the cells of a picture of `width` x `height` pixels.
     pub fn build(&mut self, width: usize, height: usize, nodes: &[Node], shapes: &Shapes) {
-        self.columns = (width as f32 / CELL_PX).ceil() as usize;
-        self.rows = (height as f32 / CELL_PX).ceil() as usize;
-        self.pending.clear();
+        self.columns = width.div_ceil(CELL_PX as usize);
+        self.rows = height.div_ceil(CELL_PX as usize);
+        self.entries.clear();
         self.large.clear();
         let picture = [0.0, 0.0, -(width as f32), -(height as f32)];
         for (order, &bounds) in shapes.boxes.iter().enumerate() {
@@ -60,12 +82,8 @@ impl Cells {
     fn add(&mut self, order: u32, bounds: NegatedBox) {
         let range = self.range(bounds);
         let cells = usize::from(range.x[1] - range.x[0] + 1) * usize::from(range.y[1] - range.y[0] + 1);
-        let entry = Entry { bounds: f32x4::new(bounds), order };
-        if cells > MOST_CELLS {
-            self.large.push(entry);
-        } else {
-            self.pending.push((range, entry));
-        }
+        let list = if cells > MOST_CELLS { &mut self.large } else { &mut self.entries };
+        list.push(Entry { bounds, order });
     }
 
     /// Enters a long piece as the boxes of short stretches of it, as far as they touch the picture.
@@ -100,48 +118,38 @@ impl Cells {
     }
 
     fn range(&self, bounds: NegatedBox) -> CellRange {
-        let index = |px: f32, count: usize| ((px * (1.0 / CELL_PX)) as usize).min(count - 1) as u16;
-        CellRange {
-            x: [index(bounds[0], self.columns), index(-bounds[2], self.columns)],
-            y: [index(bounds[1], self.rows), index(-bounds[3], self.rows)],
-        }
+        CellRange::new(bounds, self.columns, self.rows)
     }
 
-    /// Counting sort of the pending entries; within a cell they keep their order.
+    /// Counting sort of the entries by cell; within a cell they keep their order.
     fn sort(&mut self) {
-        let columns = self.columns;
-        let cells = |range: &CellRange| {
-            let [x0, x1] = range.x;
-            let [y0, y1] = range.y;
-            (y0..=y1).flat_map(move |y| (x0..=x1).map(move |x| usize::from(y) * columns + usize::from(x)))
-        };
+        let (columns, rows) = (self.columns, self.rows);
         self.starts.clear();
-        self.starts.resize(columns * self.rows + 2, 0);
-        for (range, _) in &self.pending {
-            for cell in cells(range) {
-                self.starts[cell + 2] += 1;
-            }
+        self.starts.resize(columns * rows + 2, 0);
+        for entry in &self.entries {
+            CellRange::new(entry.bounds, columns, rows).each_cell(columns, |cell| self.starts[cell + 2] += 1);
         }
         for i in 2..self.starts.len() {
             self.starts[i] += self.starts[i - 1];
         }
         let total = self.starts[self.starts.len() - 1] as usize;
-        self.entries.resize(total, Entry { bounds: f32x4::new(EMPTY_BOX), order: NONE });
-        for &(ref range, entry) in &self.pending {
-            for cell in cells(range) {
+        self.lists.resize(total, 0);
+        for (i, entry) in self.entries.iter().enumerate() {
+            CellRange::new(entry.bounds, columns, rows).each_cell(columns, |cell| {
                 let place = &mut self.starts[cell + 1];
-                self.entries[*place as usize] = entry;
+                self.lists[*place as usize] = i as u32;
                 *place += 1;
-            }
+            });
         }
     }
 
-    /// Appends to `found` the polygons whose boxes touch `query` (which must overlap the picture).
+    /// Replaces `near` by the polygons whose boxes touch `query` (which must overlap the picture).
     #[inline]
-    pub fn gather(&self, query: NegatedBox, found: &mut Vec<u32>) {
+    pub fn gather(&self, query: NegatedBox, near: &mut Near) {
+        near.clear();
         let range = self.range(query);
         // Overlap in one comparison: box minimum <= query maximum and the negated reverse.
-        let most = f32x4::new([-query[2], -query[3], -query[0], -query[1]]);
+        let most = f32x4::new(greatest(query));
         for y in range.y[0]..=range.y[1] {
             for x in range.x[0]..=range.x[1] {
                 let cell = usize::from(y) * self.columns + usize::from(x);
@@ -149,18 +157,75 @@ impl Cells {
                 let border = |c: u16, first: u16| if c == first { f32::NEG_INFINITY } else { f32::from(c) * CELL_PX };
                 let least =
                     f32x4::new([border(x, range.x[0]), border(y, range.y[0]), f32::NEG_INFINITY, f32::NEG_INFINITY]);
-                for entry in &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
-                    if (entry.bounds.simd_le(most) & entry.bounds.simd_ge(least)).all() {
-                        found.push(entry.order);
+                for &i in &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+                    let entry = &self.entries[i as usize];
+                    let bounds = f32x4::new(entry.bounds);
+                    if (bounds.simd_le(most) & bounds.simd_ge(least)).all() {
+                        near.push(entry);
                     }
                 }
             }
         }
         for entry in &self.large {
-            if entry.bounds.simd_le(most).all() {
-                found.push(entry.order);
+            if f32x4::new(entry.bounds).simd_le(most).all() {
+                near.push(entry);
             }
         }
+    }
+}
+
+/// The greatest box values, one by one, that still overlap `query`.
+fn greatest(query: NegatedBox) -> [f32; 4] {
+    [-query[2], -query[3], -query[0], -query[1]]
+}
+
+/// The polygons near a stretch of stroke, their boxes in lanes.
+#[derive(Debug, Default)]
+pub(super) struct Near {
+    blocks: Vec<[f32x4; 4]>,
+    orders: Vec<[u32; 4]>,
+    count: usize,
+}
+
+impl Near {
+    fn clear(&mut self) {
+        self.blocks.clear();
+        self.orders.clear();
+        self.count = 0;
+    }
+
+    #[inline(always)]
+    fn push(&mut self, entry: &Entry) {
+        let lane = self.count % 4;
+        if lane == 0 {
+            self.blocks.push([f32x4::splat(f32::INFINITY); 4]);
+            self.orders.push([NONE; 4]);
+        }
+        let block = self.count / 4;
+        for (lanes, value) in self.blocks[block].iter_mut().zip(entry.bounds) {
+            lanes.as_mut_array()[lane] = value;
+        }
+        self.orders[block][lane] = entry.order;
+        self.count += 1;
+    }
+
+    /// Replaces `found` by those whose boxes touch `query`, without those to skip. Without branches: which ones touch is
+    /// anyone's guess.
+    #[inline(always)]
+    pub fn select(&self, query: NegatedBox, skip: [u32; 3], found: &mut Vec<u32>) {
+        found.resize(4 * self.blocks.len(), NONE);
+        let most = greatest(query).map(f32x4::splat);
+        let mut count = 0;
+        for (block, orders) in self.blocks.iter().zip(&self.orders) {
+            let [a, b, c, d] = std::array::from_fn(|i| block[i].simd_le(most[i]));
+            let touching = (a & b & c & d).to_bitmask();
+            for (lane, &order) in orders.iter().enumerate() {
+                found[count] = order;
+                let skipped = (order == skip[0]) | (order == skip[1]) | (order == skip[2]);
+                count += (touching as usize >> lane) & usize::from(!skipped);
+            }
+        }
+        found.truncate(count);
     }
 }
 

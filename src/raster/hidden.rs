@@ -1,6 +1,5 @@
 //! Which part of an edge other polygons hide: exact intervals, no samples, no square roots but one a polygon.
 
-use super::pieces::NONE;
 use super::shapes::{Circles, ORDER_MARGIN_PX, Polygon, Quad, Shapes};
 use wide::f32x4;
 
@@ -11,8 +10,6 @@ pub(super) struct Edge {
     pub step: [f32; 2],
     /// Place of its polygon in the total order.
     pub order: u32,
-    /// Orders of the hiders that do not apply: its own polygon and neighbours it shares an end point with.
-    pub skip: [u32; 3],
 }
 
 impl Edge {
@@ -50,9 +47,6 @@ pub(super) fn visible_parts(
     hidden.clear();
     for i in 0..candidates.len() {
         let order = candidates[i];
-        if edge.skip.contains(&order) {
-            continue;
-        }
         let margin = if order < edge.order { ORDER_MARGIN_PX } else { -ORDER_MARGIN_PX };
         let node = (order / 2) as usize;
         let effect = match order % 2 {
@@ -152,9 +146,4 @@ fn hidden_by_polygon(edge: &Edge, polygon: &Polygon, circles: &Circles, margin: 
     } else {
         Hidden::Nothing
     }
-}
-
-/// Skips nothing but the edge's own polygon.
-pub(super) fn only_itself(order: u32) -> [u32; 3] {
-    [order, NONE, NONE]
 }

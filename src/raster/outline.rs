@@ -1,13 +1,15 @@
 //! The visible outline of a range of nodes: the sides and drawn end lines of their pieces, their vertex polygons.
 
-use super::cells::{Cells, overlap};
-use super::hidden::{Edge, only_itself, visible_parts};
+use super::cells::{Cells, Near, overlap};
+use super::hidden::{Edge, visible_parts};
 use super::joints::{Joint, Kind};
 use super::pieces::{NONE, Node, Piece};
 use super::shapes::{Circles, NegatedBox, Shapes, hull, polygon_order, quad_order};
 use super::walk::{Stretch, SubEdge, clip, walk};
 
-/// Edges and boxes longer than this (in pixels) look up their hiders stretch by stretch.
+/// Consecutive pieces look up their hiders together as long as their boxes fit in this many pixels.
+const GROUP_PX: f32 = 4.0;
+/// Edges of larger pieces (in pixels) look up their hiders stretch by stretch.
 const STRETCH_PX: f32 = 16.0;
 /// Shorter edges (in pixels) are nothing.
 const SHORTEST_EDGE_PX: f32 = 1e-6;
@@ -43,14 +45,22 @@ pub(super) struct Run {
 pub(super) struct Outline {
     pub runs: Vec<Run>,
     pub sub_edges: Vec<SubEdge>,
+    near: Near,
+    /// The box of the piece in hand, if `near` holds what touches it; else each edge looks for itself.
+    near_box: Option<NegatedBox>,
+    /// What touches that box, without `skipped`.
     candidates: Vec<u32>,
+    skipped: Option<[u32; 3]>,
     hidden: Vec<[f32; 2]>,
     visible: Vec<[f32; 2]>,
 }
 
-/// How an edge moves, see [`Run`]; `u` at its start and end.
+/// An edge to trace, and how it moves, see [`Run`]; `u` at its start and end.
 #[derive(Clone, Copy)]
-struct Motion {
+struct Moving {
+    edge: Edge,
+    /// Orders of the hiders that do not apply: its own polygon and neighbours it shares an end point with.
+    skip: [u32; 3],
     node: usize,
     normal: [f32; 2],
     radius_weight: f32,
@@ -63,24 +73,36 @@ impl Outline {
         self.runs.clear();
         self.sub_edges.clear();
         let picture = [0.0, 0.0, -(scene.width as f32), -(scene.height as f32)];
-        for k in range {
-            let boxes = &scene.shapes.boxes;
-            let both = hull(boxes[polygon_order(k) as usize], boxes[quad_order(k) as usize]);
-            if !overlap(both, picture) {
+        let boxes = &scene.shapes.boxes;
+        let bounds = |k: usize| hull(boxes[polygon_order(k) as usize], boxes[quad_order(k) as usize]);
+        let extent = |b: NegatedBox| (-b[2] - b[0]).max(-b[3] - b[1]);
+        let mut grouped = range.start;
+        for k in range.clone() {
+            let own = bounds(k);
+            if !overlap(own, picture) {
                 continue;
             }
-            let size = (-both[2] - both[0]).max(-both[3] - both[1]);
-            let near = if size <= 2.0 * STRETCH_PX {
-                self.candidates.clear();
-                scene.cells.gather(both, &mut self.candidates);
-                true
-            } else {
-                false
-            };
-            self.trace_polygon(scene, k, near);
+            let near = extent(own) <= 2.0 * STRETCH_PX;
+            if near {
+                if k >= grouped {
+                    let mut group = own;
+                    grouped = k + 1;
+                    while grouped < range.end {
+                        let larger = hull(group, bounds(grouped));
+                        if extent(larger) > GROUP_PX {
+                            break;
+                        }
+                        (group, grouped) = (larger, grouped + 1);
+                    }
+                    scene.cells.gather(group, &mut self.near);
+                }
+            }
+            self.near_box = near.then_some(own);
+            self.skipped = None;
+            self.trace_polygon(scene, k);
             if scene.pieces[k].has_sides {
-                self.trace_end_lines(scene, k, near);
-                self.trace_sides(scene, k, near);
+                self.trace_end_lines(scene, k);
+                self.trace_sides(scene, k);
             }
         }
     }
@@ -93,9 +115,10 @@ impl Outline {
         let mut y = 0.0;
         while y < height {
             let step = (height - y).min(8.0);
-            let edge = Edge { start: [0.0, y], step: [0.0, step], order: NONE, skip: [NONE; 3] };
-            self.candidates.clear();
-            scene.cells.gather([0.0, y, 0.0, -y - step], &mut self.candidates);
+            let edge = Edge { start: [0.0, y], step: [0.0, step], order: NONE };
+            let query = [0.0, y, 0.0, -y - step];
+            scene.cells.gather(query, &mut self.near);
+            self.near.select(query, [NONE; 3], &mut self.candidates);
             if !self.candidates.is_empty() {
                 let (hidden, visible) = (&mut self.hidden, &mut self.visible);
                 visible_parts(&edge, scene.shapes, scene.circles, &mut self.candidates, hidden, visible);
@@ -122,7 +145,7 @@ impl Outline {
         self.sub_edges.clear();
     }
 
-    fn trace_sides(&mut self, scene: &Scene, k: usize, near: bool) {
+    fn trace_sides(&mut self, scene: &Scene, k: usize) {
         let (node, piece) = (&scene.nodes[k], &scene.pieces[k]);
         let (start, end) = (&scene.joints[k], &scene.joints[node.next as usize]);
         let per_px = 1.0 / (piece.length * piece.cosine);
@@ -137,14 +160,13 @@ impl Outline {
                 (from, to) = (to, from);
                 u.swap(0, 1);
             }
-            let edge = Edge { start: from, step: [to[0] - from[0], to[1] - from[1]], order, skip };
-            let motion = Motion { node: k, normal: piece.normal(side), radius_weight: 1.0, u };
-            self.trace_edge(scene, &edge, &motion, near);
+            let edge = Edge { start: from, step: [to[0] - from[0], to[1] - from[1]], order };
+            self.trace_edge(scene, &Moving { edge, skip, node: k, normal: piece.normal(side), radius_weight: 1.0, u });
         }
     }
 
     /// The end lines of soft joints. They move with their node; that they also turn is left out.
-    fn trace_end_lines(&mut self, scene: &Scene, k: usize, near: bool) {
+    fn trace_end_lines(&mut self, scene: &Scene, k: usize) {
         let node = &scene.nodes[k];
         let next = node.next as usize;
         let lines = [
@@ -159,13 +181,12 @@ impl Outline {
             let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
             let normal = [-step[1] / length, step[0] / length];
             let order = quad_order(k);
-            let edge = Edge { start: from, step, order, skip: only_itself(order) };
-            let motion = Motion { node: moves_with, normal, radius_weight: 0.0, u: [0.0; 2] };
-            self.trace_edge(scene, &edge, &motion, near);
+            let (edge, skip) = (Edge { start: from, step, order }, [order, NONE, NONE]);
+            self.trace_edge(scene, &Moving { edge, skip, node: moves_with, normal, radius_weight: 0.0, u: [0.0; 2] });
         }
     }
 
-    fn trace_polygon(&mut self, scene: &Scene, k: usize, near: bool) {
+    fn trace_polygon(&mut self, scene: &Scene, k: usize) {
         let polygon = scene.shapes.polygons[k];
         if polygon.sides == 0 {
             return;
@@ -176,14 +197,15 @@ impl Outline {
             let [nx, ny] = normal;
             let middle = [polygon.center[0] + polygon.radius * nx, polygon.center[1] + polygon.radius * ny];
             let start = [middle[0] - half * ny, middle[1] + half * nx];
-            let edge = Edge { start, step: [2.0 * half * ny, -2.0 * half * nx], order, skip: only_itself(order) };
-            let motion = Motion { node: k, normal, radius_weight: 1.0, u: [0.0; 2] };
-            self.trace_edge(scene, &edge, &motion, near);
+            let edge = Edge { start, step: [2.0 * half * ny, -2.0 * half * nx], order };
+            let skip = [order, NONE, NONE];
+            self.trace_edge(scene, &Moving { edge, skip, node: k, normal, radius_weight: 1.0, u: [0.0; 2] });
         }
     }
 
-    /// Cuts an edge by the picture, by what hides it and by the pixels. `near`: `candidates` holds its hiders.
-    fn trace_edge(&mut self, scene: &Scene, edge: &Edge, motion: &Motion, near: bool) {
+    /// Cuts an edge by the picture, by what hides it and by the pixels.
+    fn trace_edge(&mut self, scene: &Scene, moving: &Moving) {
+        let Moving { edge, skip, u, .. } = moving;
         let [dx, dy] = edge.step;
         if dx.abs().max(dy.abs()) < SHORTEST_EDGE_PX {
             return;
@@ -191,19 +213,30 @@ impl Outline {
         let (width, height) = (scene.width as f32, scene.height as f32);
         let Some([from, to]) = clip(edge.start, edge.step, width, height) else { return };
         let length = (dx * dx + dy * dy).sqrt();
-        let parts = if near { 1 } else { ((to - from) * length / STRETCH_PX).ceil().max(1.0) as usize };
+        let parts = match self.near_box {
+            Some(_) => 1,
+            None => ((to - from) * length / STRETCH_PX).ceil().max(1.0) as usize,
+        };
         let first = self.sub_edges.len();
         for i in 0..parts {
             let at = |i: usize| from + (to - from) * (i as f32 / parts as f32);
             let (low, high) = (at(i), at(i + 1));
             let part = edge.part(low, high);
-            if !near {
-                self.candidates.clear();
-                scene.cells.gather(bounds(&part), &mut self.candidates);
+            match self.near_box {
+                Some(_) if self.skipped == Some(*skip) => {}
+                Some(own) => {
+                    self.near.select(own, *skip, &mut self.candidates);
+                    self.skipped = Some(*skip);
+                }
+                None => {
+                    let query = bounds(&part);
+                    scene.cells.gather(query, &mut self.near);
+                    self.near.select(query, *skip, &mut self.candidates);
+                }
             }
             let (hidden, visible) = (&mut self.hidden, &mut self.visible);
             visible_parts(&part, scene.shapes, scene.circles, &mut self.candidates, hidden, visible);
-            let u_at = |t: f32| motion.u[0] + (motion.u[1] - motion.u[0]) * (low + (high - low) * t);
+            let u_at = |t: f32| u[0] + (u[1] - u[0]) * (low + (high - low) * t);
             for &[a, b] in &self.visible {
                 let inside = |p: [f32; 2]| [p[0].clamp(0.0, width), p[1].clamp(0.0, height)];
                 let seen = part.part(a, b);
@@ -216,10 +249,10 @@ impl Outline {
         }
         if self.sub_edges.len() > first {
             self.runs.push(Run {
-                node: motion.node as u32,
-                normal: motion.normal,
-                radius_weight: motion.radius_weight,
-                u_per_px: (motion.u[1] - motion.u[0]) / length,
+                node: moving.node as u32,
+                normal: moving.normal,
+                radius_weight: moving.radius_weight,
+                u_per_px: (u[1] - u[0]) / length,
                 end: self.sub_edges.len() as u32,
             });
         }

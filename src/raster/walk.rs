@@ -56,25 +56,31 @@ pub(super) fn walk(width: usize, height: usize, stretch: &Stretch, sub_edges: &m
     let (columns, rows) = (width as i32, height as i32);
     let mut column = (x0 as i32).min(columns - 1);
     let mut row = (y0 as i32).min(rows - 1);
+    let cut = |column: i32, row: i32, from: f32, to: f32| {
+        let share = (to - from).max(0.0);
+        let middle = 0.5 * (from + to);
+        let into_pixel = (x0 + dx * middle - column as f32).clamp(0.0, 1.0);
+        let steps = dy * share * (UNIT / 2) as f32;
+        let (whole, rest) = (steps as i32, (steps * into_pixel) as i32);
+        SubEdge {
+            pixel: (row * columns + column) as u32,
+            area: (whole - rest) * 2,
+            rest: if column + 1 < columns { rest * 2 } else { 0 },
+            length_px: length * share,
+            u: u + du * middle,
+        }
+    };
+    if column == (x0 + dx) as i32 && row == (y0 + dy) as i32 {
+        sub_edges.push(cut(column, row, 0.0, 1.0));
+        return;
+    }
     // Parameter of the next vertical and horizontal pixel border.
     let (mut next_x, pace_x, step_x) = pace(x0, dx, column);
     let (mut next_y, pace_y, step_y) = pace(y0, dy, row);
     let mut t = 0.0f32;
     loop {
         let until = next_x.min(next_y).min(1.0);
-        let share = (until - t).max(0.0);
-        let middle = 0.5 * (t + until);
-        let into_pixel = (x0 + dx * middle - column as f32).clamp(0.0, 1.0);
-        let height_steps = dy * share * (UNIT / 2) as f32;
-        let whole = height_steps as i32;
-        let rest = (height_steps * into_pixel) as i32;
-        sub_edges.push(SubEdge {
-            pixel: (row * columns + column) as u32,
-            area: (whole - rest) * 2,
-            rest: if column + 1 < columns { rest * 2 } else { 0 },
-            length_px: length * share,
-            u: u + du * middle,
-        });
+        sub_edges.push(cut(column, row, t, until));
         if until >= 1.0 {
             break;
         }
@@ -94,10 +100,11 @@ pub(super) fn walk(width: usize, height: usize, stretch: &Stretch, sub_edges: &m
 
 #[inline(always)]
 fn pace(start: f32, step: f32, cell: i32) -> (f32, f32, i32) {
+    let pace = 1.0 / step;
     if step > 0.0 {
-        ((cell as f32 + 1.0 - start) / step, 1.0 / step, 1)
+        ((cell as f32 + 1.0 - start) * pace, pace, 1)
     } else if step < 0.0 {
-        ((cell as f32 - start) / step, -1.0 / step, -1)
+        ((cell as f32 - start) * pace, -pace, -1)
     } else {
         (f32::INFINITY, f32::INFINITY, 0)
     }

@@ -1,5 +1,6 @@
 //! Random and adversarial wires for the rasteriser: tests and the bench's sweep share them.
 
+use std::f64::consts::TAU;
 use wire4d::rng::Rng;
 use wire4d::wire::Stroke;
 
@@ -42,7 +43,7 @@ fn one(vertices: Vec<[f32; 3]>, closed: bool) -> Wires {
 fn walk(rng: &mut Rng, count: usize, step: f64, turn: f64, radius: impl Fn(&mut Rng, usize) -> f64) -> Vec<[f32; 3]> {
     let size = SIZE as f64;
     let (mut x, mut y) = (rng.range(0.2, 0.8) * size, rng.range(0.2, 0.8) * size);
-    let (mut angle, mut bend) = (rng.range(0.0, 6.283), 0.0);
+    let (mut angle, mut bend) = (rng.range(0.0, TAU), 0.0);
     (0..count)
         .map(|i| {
             let r = radius(rng, i);
@@ -113,7 +114,7 @@ pub fn wires(family: &str, seed: u64) -> Wires {
                 let (rx, ry, n) = (rng.range(1.0, 20.0), rng.range(0.3, 20.0), 3 + rng.below(30));
                 let r = rng.range(0.1, 3.0) as f32;
                 for i in 0..n {
-                    let a = i as f64 * std::f64::consts::TAU / n as f64;
+                    let a = i as f64 * TAU / n as f64;
                     vertices.push([(cx + rx * a.cos()) as f32, (cy + ry * a.sin()) as f32, r]);
                 }
                 strokes.push(Stroke { start, count: n, closed: true });
@@ -182,7 +183,7 @@ pub fn wires(family: &str, seed: u64) -> Wires {
             let r = |rng: &mut Rng| 10f64.powf(rng.range(0.5, 3.0));
             let vertices = (0..4).map(|_| {
                 let r = r(rng);
-                let angle = rng.range(0.0, 6.283);
+                let angle = rng.range(0.0, TAU);
                 let far = r + rng.range(-10.0, 25.0);
                 [(32.0 + far * angle.cos()) as f32, (32.0 + far * angle.sin()) as f32, r as f32]
             });
