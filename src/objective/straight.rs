@@ -42,25 +42,23 @@ impl<R: Real> Straightness<R> {
             let inside = |i: isize, n: usize| i.clamp(0, n as isize - 1) as usize;
             f64::from(ink.at(inside(x, width), inside(y, height)))
         };
-        let mut tensors: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; width * height]);
+        let mut tensors: [Image; 3] = std::array::from_fn(|_| Image::new(width, height));
         for y in 0..height {
             for x in 0..width {
                 let (i, j) = (x as isize, y as isize);
                 let (gx, gy) = (0.5 * (at(i + 1, j) - at(i - 1, j)), 0.5 * (at(i, j + 1) - at(i, j - 1)));
                 for (tensor, value) in tensors.iter_mut().zip([gx * gx, gx * gy, gy * gy]) {
-                    tensor[y * width + x] = value;
+                    tensor.data[y * width + x] = value as f32;
                 }
             }
         }
-        for tensor in &mut tensors {
-            blur(tensor, width, height, WINDOW_SIGMA_PX);
-        }
+        let tensors = tensors.map(|tensor| tensor.blurred(WINDOW_SIGMA_PX));
         let mut samples = Vec::new();
         let area_share = 1.0 / (width * height) as f64;
         for y in 0..height {
             for x in 0..width {
                 let amount = f64::from(ink.at(x, y));
-                let [xx, xy, yy] = [0, 1, 2].map(|k: usize| tensors[k][y * width + x]);
+                let [xx, xy, yy] = [0, 1, 2].map(|k: usize| f64::from(tensors[k].at(x, y)));
                 let (trace, spread) = (xx + yy, (xx - yy).hypot(2.0 * xy));
                 if amount < 0.3 || trace < 1e-6 {
                     continue;
@@ -147,25 +145,6 @@ fn derivatives(u: f64) -> [[f64; 4]; 3] {
         [-0.5 * v * v, 1.5 * u * u - 2.0 * u, -1.5 * v * v + 2.0 * v, 0.5 * u * u],
         [v, 3.0 * u - 2.0, 3.0 * v - 2.0, u],
     ]
-}
-
-/// Separable Gaussian blur; the border is repeated.
-fn blur(values: &mut [f64], width: usize, height: usize, sigma: f64) {
-    let reach = (3.0 * sigma).ceil() as isize;
-    let mut taps: Vec<f64> = (-reach..=reach).map(|k| (-0.5 * (k as f64 / sigma).powi(2)).exp()).collect();
-    let sum: f64 = taps.iter().sum();
-    taps.iter_mut().for_each(|tap| *tap /= sum);
-    let mut line = Vec::with_capacity(width.max(height));
-    let mut pass = |start: usize, stride: usize, count: usize| {
-        line.clear();
-        line.extend((0..count).map(|i| values[start + i * stride]));
-        for i in 0..count {
-            let at = |k: usize| line[(i as isize + k as isize - reach).clamp(0, count as isize - 1) as usize];
-            values[start + i * stride] = taps.iter().enumerate().map(|(k, tap)| tap * at(k)).sum();
-        }
-    };
-    (0..height).for_each(|y| pass(y * width, 1, width));
-    (0..width).for_each(|x| pass(x, width, height));
 }
 
 #[cfg(test)]

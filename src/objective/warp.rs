@@ -58,6 +58,9 @@ fn bases<R: Real>(count: usize, grid: usize) -> Vec<Basis<R>> {
         .collect()
 }
 
+/// Displacements up to this, in pixels at 256, leave calm pixels as they are without a look.
+const REACH_PX: f64 = 8.0;
+
 /// Resamples one view's ink through a displacement field, and back.
 #[derive(Debug, Clone)]
 pub struct Warp<R> {
@@ -67,8 +70,12 @@ pub struct Warp<R> {
     /// Pixels of this picture in one pixel at 256.
     scale: R,
     clean: Vec<R>,
-    /// Whether all 4 x 4 texels round a sample right and below of this one are alike: most of any drawing.
+    /// Whether all 4 x 4 texels round a sample right and below of this one are alike.
     flat: Vec<bool>,
+    /// Whether everything within [`REACH_PX`] is flat, so that no usual displacement matters: most of any drawing.
+    calm: Vec<bool>,
+    /// Slope of the bent ink at each pixel by its displacement along x and y, of the last [`Warp::bend`].
+    slopes: Vec<[R; 2]>,
     columns: Vec<Basis<R>>,
     rows: Vec<Basis<R>>,
     straightness: Straightness<R>,
@@ -110,18 +117,23 @@ impl<R: Real> Warp<R> {
     pub fn new(ink: &Image, grid: usize) -> Self {
         let grid = grid.max(4);
         let (width, height) = (ink.width, ink.height);
-        let flat = (0..width * height).map(|i| {
-            let (x, y) = (i % width, i / width);
-            let columns = x.saturating_sub(1)..(x + 3).min(width);
-            let mut rows = y.saturating_sub(1)..(y + 3).min(height);
-            rows.all(|j| columns.clone().all(|i| ink.at(i, j) == ink.at(x, y)))
-        });
+        let flat: Vec<bool> = (0..width * height)
+            .map(|i| {
+                let (x, y) = (i % width, i / width);
+                let columns = x.saturating_sub(1)..(x + 3).min(width);
+                let mut rows = y.saturating_sub(1)..(y + 3).min(height);
+                rows.all(|j| columns.clone().all(|i| ink.at(i, j) == ink.at(x, y)))
+            })
+            .collect();
+        let scale = width.max(height) as f64 / 256.0;
         Warp {
-            flat: flat.collect(),
+            calm: eroded(&flat, width, height, (REACH_PX * scale).ceil() as usize + 1),
+            flat,
+            slopes: vec![[R::zero(); 2]; width * height],
             grid,
             width: ink.width,
             height: ink.height,
-            scale: R::from_f64(ink.width.max(ink.height) as f64 / 256.0),
+            scale: R::from_f64(scale),
             clean: ink.data.iter().map(|&v| R::from_f64(f64::from(v))).collect(),
             columns: bases(ink.width, grid),
             rows: bases(ink.height, grid),
@@ -136,18 +148,23 @@ impl<R: Real> Warp<R> {
         self.grid * self.grid
     }
 
-    fn blend_row(&mut self, field: &[[R; 2]], y: usize) {
+    /// Blends the control vectors for row `y`; says whether none of its displacements exceeds [`REACH_PX`].
+    fn blend_row(&mut self, field: &[[R; 2]], y: usize) -> bool {
         let Basis { first, weights } = self.rows[y];
         let row = |k: usize| &field[(first + k) * self.grid..(first + k + 1) * self.grid];
         let rows = [row(0), row(1), row(2), row(3)];
+        let mut most = R::zero();
         for (i, out) in self.row_field.iter_mut().enumerate() {
             for c in 0..2 {
                 out[c] = weights[0] * rows[0][i][c]
                     + weights[1] * rows[1][i][c]
                     + weights[2] * rows[2][i][c]
                     + weights[3] * rows[3][i][c];
+                most = most.max(out[c].abs());
             }
         }
+        // A spline never leaves the range of its control values.
+        most <= R::from_f64(REACH_PX)
     }
 
     /// The displacement at column `x` of the row last blended, pixels at 256.
@@ -199,37 +216,42 @@ impl<R: Real> Warp<R> {
     /// Writes the bent ink: the clean ink at `x + d(x)`, interpolated.
     pub fn bend(&mut self, field: &[[R; 2]], bent: &mut [R]) {
         for y in 0..self.height {
-            self.blend_row(field, y);
+            let near = self.blend_row(field, y);
             for x in 0..self.width {
+                let i = y * self.width + x;
+                if near && self.calm[i] {
+                    bent[i] = self.clean[i];
+                    self.slopes[i] = [R::zero(); 2];
+                    continue;
+                }
                 let tap = self.tap(x, y, self.displacement_at(x));
-                bent[y * self.width + x] = self.sample(&tap).0;
+                let (value, slope) = self.sample(&tap);
+                bent[i] = value;
+                self.slopes[i] = [0, 1].map(|c| if tap.free[c] { self.scale * slope[c] } else { R::zero() });
             }
         }
     }
 
-    /// Adjoint of [`Warp::bend`]: `d_field += (∂bent/∂field)ᵀ d_bent`.
-    pub fn bend_vjp(&mut self, field: &[[R; 2]], d_bent: &[R], d_field: &mut [[R; 2]]) {
+    /// Adjoint of the last [`Warp::bend`]: `d_field += (∂bent/∂field)ᵀ d_bent`.
+    pub fn bend_vjp(&mut self, d_bent: &[R], d_field: &mut [[R; 2]]) {
         for y in 0..self.height {
-            self.blend_row(field, y);
             self.d_row_field.fill([R::zero(); 2]);
-            for x in 0..self.width {
-                let d = d_bent[y * self.width + x];
-                if d == R::zero() {
+            let row = y * self.width..(y + 1) * self.width;
+            let mut touched = false;
+            for ((slope, &d), Basis { first, weights }) in
+                self.slopes[row.clone()].iter().zip(&d_bent[row]).zip(&self.columns)
+            {
+                if *slope == [R::zero(); 2] {
                     continue;
                 }
-                let tap = self.tap(x, y, self.displacement_at(x));
-                let (_, slope) = self.sample(&tap);
-                if slope == [R::zero(); 2] {
-                    continue;
+                touched = true;
+                let pull = slope.map(|s| d * s);
+                for (out, &weight) in self.d_row_field[*first..first + 4].iter_mut().zip(weights) {
+                    *out = [out[0] + weight * pull[0], out[1] + weight * pull[1]];
                 }
-                let Basis { first, weights } = &self.columns[x];
-                for axis in (0..2).filter(|&axis| tap.free[axis]) {
-                    let pull = d * slope[axis] * self.scale;
-                    for k in 0..4 {
-                        let out = &mut self.d_row_field[first + k][axis];
-                        *out = *out + weights[k] * pull;
-                    }
-                }
+            }
+            if !touched {
+                continue;
             }
             let Basis { first, weights } = self.rows[y];
             for k in 0..4 {
@@ -285,6 +307,25 @@ impl<R: Real> Warp<R> {
     }
 }
 
+/// Where everything within `reach` pixels along both axes is set; beyond the border nothing speaks against it.
+fn eroded(set: &[bool], width: usize, height: usize, reach: usize) -> Vec<bool> {
+    let pass = |set: &[bool], count: usize, lines: usize, index: &dyn Fn(usize, usize) -> usize| {
+        let mut out = vec![false; set.len()];
+        for line in 0..lines {
+            // How many pixels of the window ending `reach` ahead are not set.
+            let mut unset = (0..reach.min(count)).filter(|&i| !set[index(line, i)]).count();
+            for i in 0..count {
+                unset += usize::from(i + reach < count && !set[index(line, i + reach)]);
+                out[index(line, i)] = unset == 0;
+                unset -= usize::from(i >= reach && !set[index(line, i - reach)]);
+            }
+        }
+        out
+    };
+    let rows = pass(set, width, height, &|y, x| y * width + x);
+    pass(&rows, height, width, &|x, y| y * width + x)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -321,6 +362,26 @@ mod tests {
     }
 
     #[test]
+    fn calm_places_are_skipped_without_a_trace() {
+        // A line on blank paper, drawn at a size where reach is far less than the picture.
+        let mut ink = Image::new(96, 80);
+        for y in 30..33 {
+            ink.data[y * 96 + 20..y * 96 + 70].fill(1.0);
+        }
+        let mut quick = Warp::<f64>::new(&ink, 6);
+        let mut slow = quick.clone();
+        assert!(quick.calm.iter().filter(|&&calm| calm).count() > 96 * 80 / 2);
+        slow.calm.fill(false);
+        for size in [1.0, 7.0, 20.0] {
+            let field = random_field(36, size);
+            let (mut a, mut b) = (vec![0.0; 96 * 80], vec![0.0; 96 * 80]);
+            quick.bend(&field, &mut a);
+            slow.bend(&field, &mut b);
+            assert!(a == b && quick.slopes == slow.slopes, "displacements up to {size} px");
+        }
+    }
+
+    #[test]
     fn gradients_agree_with_central_differences() {
         let ink = smooth_ink(41, 30);
         let mut warp = Warp::<f64>::new(&ink, 5);
@@ -329,7 +390,8 @@ mod tests {
         let d_bent: Vec<f64> = (0..41 * 30).map(|_| rng.range(-1.0, 1.0)).collect();
         let weights = WarpWeights { smooth: 0.3, magnitude: 0.1, straight: 50.0 };
         let mut gradient = vec![[0.0; 2]; 25];
-        warp.bend_vjp(&field, &d_bent, &mut gradient);
+        warp.bend(&field, &mut vec![0.0; 41 * 30]);
+        warp.bend_vjp(&d_bent, &mut gradient);
         warp.regularise(&field, &weights, &mut gradient);
         let mut bent = vec![0.0; 41 * 30];
         let mut value = |field: &[[f64; 2]], weights: &WarpWeights| {

@@ -28,7 +28,7 @@ impl Default for Bending {
             from: 0.2,
             every: 4,
             rate_px: Schedule::Piecewise(vec![[0.0, 0.08], [1.0, 0.0]]),
-            weights: WarpWeights { smooth: 1e-3, magnitude: 5e-5, straight: 1e-2 },
+            weights: WarpWeights { smooth: 1e-3, magnitude: 5e-5, straight: 0.3 },
         }
     }
 }
@@ -131,7 +131,7 @@ impl Bender {
         for_each_view(&mut self.views, |view| {
             let BentView { warp, field, before, bent, d_bent, d_field } = view;
             d_field.fill([0.0; 2]);
-            warp.bend_vjp(&field.values, d_bent, d_field);
+            warp.bend_vjp(d_bent, d_field);
             warp.regularise(&field.values, &weights, d_field);
             before.values.clone_from(&field.values);
             before.adam.copy_from(&field.adam);
