@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::view::{Projection, Target, View};
 use glam::DVec3;
 
-/// No pixel: the voxel lies outside that view's picture.
+/// No pixel: the voxel lies outside that view's picture, or in the spare layer.
 pub const OFF_PICTURE: u32 = u32::MAX;
 
 /// Voxels over the object's box, one spare layer all round (never entered, so that neighbours need no bounds check).
@@ -96,6 +96,9 @@ impl Grid {
         let camera = view.with_size(width, height).camera::<f64>();
         (0..self.voxels())
             .map(|voxel| {
+                if self.is_spare(voxel) {
+                    return OFF_PICTURE;
+                }
                 let [x, y, z] = self.position(voxel);
                 let [x_px, y_px, _] = camera.project(&[x, y, z, 0.0]);
                 let inside = x_px >= 0.0 && y_px >= 0.0 && x_px < width as f64 && y_px < height as f64;
@@ -135,7 +138,7 @@ mod tests {
             let [width, height] = grid.plane_size[v];
             assert_eq!([width, height], [64, 64]);
             let camera = target.view.with_size(width, height).camera::<f64>();
-            for voxel in (0..grid.voxels()).step_by(977) {
+            for voxel in (0..grid.voxels()).step_by(977).filter(|&voxel| !grid.is_spare(voxel)) {
                 let [x, y, z] = grid.position(voxel);
                 let [x_px, y_px, _] = camera.project(&[x, y, z, 0.0]);
                 assert!((x_px.fract() - 0.5).abs() < 1e-9 && (y_px.fract() - 0.5).abs() < 1e-9);

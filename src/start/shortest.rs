@@ -4,43 +4,66 @@
 /// No parent: a source, or a voxel not reached.
 pub const NO_PARENT: u32 = u32::MAX;
 
-/// Working memory and result of one search; reused from search to search.
-#[derive(Debug, Default)]
+/// Working memory and result of one search; reused from search to search, so that a search costs what it reaches.
+#[derive(Debug)]
 pub struct Shortest {
     /// Cost of the cheapest path from a source; infinite where not reached.
     pub distance: Vec<f32>,
-    /// The voxel before this one on that path, or [`NO_PARENT`].
+    /// The voxel before this one on that path, or [`NO_PARENT`]; only where reached.
     pub parent: Vec<u32>,
     /// Reached voxels, each after its parent.
     pub order: Vec<u32>,
     buckets: Vec<Vec<u32>>,
     settled: Vec<bool>,
+    /// Price of a step on a voxel; NaN where not asked for yet.
+    price: Vec<f32>,
+    priced: Vec<u32>,
 }
 
 impl Shortest {
-    /// Searches from `sources` up to distance `limit`. A step costs its length times the mean cost of its two voxels;
-    /// `cost` is infinite where nothing may go (at least in the grid's outer layer) and else at least `least_cost` > 0.
-    pub fn search(&mut self, neighbours: &[(isize, f32)], cost: &[f32], least_cost: f32, sources: &[u32], limit: f32) {
-        let count = cost.len();
-        self.distance.clear();
-        self.distance.resize(count, f32::INFINITY);
-        self.parent.clear();
-        self.parent.resize(count, NO_PARENT);
-        self.settled.clear();
-        self.settled.resize(count, false);
+    /// For grids of `voxels` voxels.
+    pub fn new(voxels: usize) -> Shortest {
+        Shortest {
+            distance: vec![f32::INFINITY; voxels],
+            parent: vec![NO_PARENT; voxels],
+            order: Vec::new(),
+            buckets: Vec::new(),
+            settled: vec![false; voxels],
+            price: vec![f32::NAN; voxels],
+            priced: Vec::new(),
+        }
+    }
+
+    /// Searches from `sources` up to distance `limit`. A step costs its length times the mean price of its two voxels;
+    /// `price_of` is infinite where nothing may go (at least in the grid's outer layer) and else within `prices`, the
+    /// least of which is above 0.
+    pub fn search(
+        &mut self,
+        neighbours: &[(isize, f32)],
+        price_of: impl Fn(usize) -> f32,
+        prices: [f32; 2],
+        sources: &[u32],
+        limit: f32,
+    ) {
+        for &voxel in &self.priced {
+            let v = voxel as usize;
+            (self.price[v], self.distance[v], self.settled[v]) = (f32::NAN, f32::INFINITY, false);
+        }
+        self.priced.clear();
         self.order.clear();
-        let dearest = cost.iter().copied().filter(|c| c.is_finite()).fold(least_cost, f32::max);
         let longest = neighbours.iter().map(|n| n.1).fold(1.0, f32::max);
         // One bucket more than the longest step spans, and one for rounding: the ring never overtakes itself.
-        let ring = (dearest * longest / least_cost) as usize + 3;
-        if self.buckets.len() < ring {
-            self.buckets.resize(ring, Vec::new());
-        }
+        let ring = (prices[1] * longest / prices[0]) as usize + 3;
+        self.buckets.resize(ring.max(self.buckets.len()), Vec::new());
         let ring = self.buckets.len();
-        let per_cost = 1.0 / least_cost;
+        let per_cost = 1.0 / prices[0];
         for &source in sources {
-            if cost[source as usize].is_finite() {
-                self.distance[source as usize] = 0.0;
+            let s = source as usize;
+            if self.price[s].is_nan() {
+                self.price[s] = price_of(s);
+                self.priced.push(source);
+                self.distance[s] = 0.0;
+                self.parent[s] = NO_PARENT;
                 self.buckets[0].push(source);
             }
         }
@@ -56,10 +79,17 @@ impl Shortest {
                 }
                 self.settled[v] = true;
                 self.order.push(voxel);
-                let (here, half_cost) = (self.distance[v], 0.5 * cost[v]);
+                let (here, half_price) = (self.distance[v], 0.5 * self.price[v]);
                 for &(offset, length) in neighbours {
                     let w = v.wrapping_add_signed(offset);
-                    let there = here + length * (half_cost + 0.5 * cost[w]);
+                    if self.settled[w] {
+                        continue;
+                    }
+                    if self.price[w].is_nan() {
+                        self.price[w] = price_of(w);
+                        self.priced.push(w as u32);
+                    }
+                    let there = here + length * (half_price + 0.5 * self.price[w]);
                     if there < self.distance[w] && there <= limit {
                         self.distance[w] = there;
                         self.parent[w] = voxel;
@@ -102,9 +132,9 @@ mod tests {
             }
         }
         let sources = [(5 * n * n + 5 * n + 5) as u32, (8 * n * n + 9 * n + 3) as u32];
-        let mut shortest = Shortest::default();
+        let mut shortest = Shortest::new(cost.len());
         for limit in [4.0, f32::MAX] {
-            shortest.search(&neighbours, &cost, least, &sources, limit);
+            shortest.search(&neighbours, |v| cost[v], [least, 6.0], &sources, limit);
             for v in (0..cost.len()).filter(|&v| cost[v].is_finite() && !sources.contains(&(v as u32))) {
                 let best = neighbours
                     .iter()
