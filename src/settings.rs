@@ -267,7 +267,7 @@ settings! {
     Expert /// Where re-initialised control points go.
     new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS };
     Expert /// Voxels along each side of the grid in which the first wire grows.
-    grid: usize = 64, "voxels", Integer { min: 16, max: 160 };
+    grid: usize = 128, "voxels", Integer { min: 16, max: 160 };
 }
 
 impl Settings {
@@ -276,7 +276,7 @@ impl Settings {
         let best = Settings::default();
         match preset {
             Preset::Best => best,
-            Preset::Fast => Settings { preset, iterations: 220, coarse_share: 0.8, grid: 48, ..best },
+            Preset::Fast => Settings { preset, iterations: 220, coarse_share: 0.8, grid: 64, ..best },
             Preset::Paper => Settings {
                 preset,
                 iterations: 900,
