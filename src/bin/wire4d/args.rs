@@ -9,6 +9,7 @@ use wire4d::{Error, Result};
 pub fn command() -> Command {
     let out_file = |help: &'static str| file("out", help).long("out").required(true);
     Command::new("wire4d")
+        .args_override_self(true)
         .version(env!("CARGO_PKG_VERSION"))
         .about("Turns pictures into wire art: one continuous wire whose views show them")
         .subcommand_required(true)
