@@ -1,7 +1,7 @@
 //! A grid of square cells that says which polygons may touch a box.
 
 use super::pieces::{NONE, Node};
-use super::shapes::{EMPTY_BOX, NegatedBox, Shapes, disc_box, hull};
+use super::shapes::{NegatedBox, Shapes, disc_box, hull};
 use wide::f32x4;
 
 /// Side of a cell in pixels (a power of two, so that cell borders are exact in f32).

@@ -9,10 +9,12 @@ mod exact;
 pub mod flatten;
 mod hidden;
 mod joints;
+pub mod npy;
 mod outline;
 mod pieces;
 mod rows;
 mod sampled;
+pub mod scene;
 mod shapes;
 mod walk;
 

@@ -83,19 +83,17 @@ impl Outline {
                 continue;
             }
             let near = extent(own) <= 2.0 * STRETCH_PX;
-            if near {
-                if k >= grouped {
-                    let mut group = own;
-                    grouped = k + 1;
-                    while grouped < range.end {
-                        let larger = hull(group, bounds(grouped));
-                        if extent(larger) > GROUP_PX {
-                            break;
-                        }
-                        (group, grouped) = (larger, grouped + 1);
+            if near && k >= grouped {
+                let mut group = own;
+                grouped = k + 1;
+                while grouped < range.end {
+                    let larger = hull(group, bounds(grouped));
+                    if extent(larger) > GROUP_PX {
+                        break;
                     }
-                    scene.cells.gather(group, &mut self.near);
+                    (group, grouped) = (larger, grouped + 1);
                 }
+                scene.cells.gather(group, &mut self.near);
             }
             self.near_box = near.then_some(own);
             self.skipped = None;
