@@ -73,6 +73,8 @@ pub struct Arrangement {
 pub(super) const FILLED: f64 = 0.84;
 /// Side of the pictures on which arrangements are compared (method 12.4); at most 64.
 const COARSE: usize = 48;
+/// Thinnest stroke on those pictures, px.
+const COARSE_STROKE: f32 = 1.2;
 /// Ink share for a coarse pixel to count.
 const COARSE_INK: f32 = 0.35;
 /// What another arrangement must gain over the person's own to be preferred.
@@ -90,7 +92,7 @@ pub fn arrange(drawings: &[Drawing], options: &ArrangeOptions) -> Result<Arrange
         });
     }
     let cutouts = cut_out(drawings)?;
-    let coarse: Vec<Cutout> = cutouts.iter().map(|cutout| cutout.shrunk_to(2 * COARSE)).collect();
+    let coarse: Vec<Cutout> = cutouts.iter().map(|cutout| cutout.traced(4 * COARSE, 4.0 * COARSE_STROKE)).collect();
     let mut best: Option<(f64, Candidate)> = None;
     for assignment in permutations(drawings.len(), options.permute) {
         for lies_down in [false, true] {

@@ -71,6 +71,16 @@ impl Cutout {
         Cutout { ink: self.ink.resized(width, height), bounds: [left * sx, top * sy, w * sx, h * sy] }
     }
 
+    /// Shrunk to `most_px` a side, every stroke at least `stroke_px` wide there: what is left of hair lines in a coarse
+    /// picture must not be chance.
+    pub fn traced(&self, most_px: usize, stroke_px: f32) -> Cutout {
+        let mut small = self.shrunk_to(most_px);
+        // A hair line is faint once it is shrunk; tracing wants a third of full ink.
+        small.ink.data.iter_mut().for_each(|value| *value = (2.0 * *value).min(1.0));
+        small.ink = small.ink.with_min_stroke(stroke_px);
+        small
+    }
+
     /// Width / height of the ink's box; only right before [`Cutout::shrunk_to`].
     pub fn aspect(&self) -> f64 {
         self.bounds[2] / self.bounds[3]
