@@ -40,11 +40,10 @@ export class Program {
   }
 }
 
-/** A square picture drawn with several samples a pixel and read back with its smaller copies. */
+/** A square picture to draw on, with its smaller copies: what reads it is soft anyway. */
 export class SoftTexture {
   readonly texture: WebGLTexture;
-  private readonly drawn: WebGLFramebuffer;
-  private readonly resolved: WebGLFramebuffer;
+  private readonly framebuffer: WebGLFramebuffer;
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
@@ -57,14 +56,8 @@ export class SoftTexture {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-    this.drawn = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.drawn);
-    const buffer = gl.createRenderbuffer();
-    gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, Math.min(4, gl.getParameter(gl.MAX_SAMPLES)), gl.R8, size, size);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, buffer);
-    this.resolved = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.resolved);
+    this.framebuffer = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.texture, 0);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
@@ -72,17 +65,39 @@ export class SoftTexture {
   /** Runs `paint` with this picture as what is drawn on. */
   draw(paint: () => void): void {
     const { gl, size } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.drawn);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     gl.viewport(0, 0, size, size);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
     paint();
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.drawn);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.resolved);
-    gl.blitFramebuffer(0, 0, size, size, 0, 0, size, size, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.generateMipmap(gl.TEXTURE_2D);
+  }
+}
+
+/** Rows of numbers for a shader to fetch, four a texel. Grows, and never shrinks. */
+export class NumberTexture {
+  readonly texture: WebGLTexture;
+  private rows = 0;
+
+  constructor(
+    private readonly gl: WebGL2RenderingContext,
+    private readonly texelsARow: number,
+  ) {
+    this.texture = gl.createTexture();
+  }
+
+  /** Writes whole rows; `data` is as long as its rows need. */
+  write(data: Float32Array<ArrayBuffer>, rows: number): void {
+    const { gl } = this;
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    if (rows > this.rows) {
+      this.rows = 2 * rows;
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, this.texelsARow, this.rows, 0, gl.RGBA, gl.FLOAT, null);
+      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    }
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, this.texelsARow, rows, gl.RGBA, gl.FLOAT, data);
   }
 }
 

@@ -1,42 +1,40 @@
 /** The stage's shaders. World units, right-handed, y up; light is linear until the last line. */
 
-/** A ring pair expanded to a band of the tube. One instance a piece, two vertices a side. */
+/** Rings in one row of their texture; three texels each. */
+export const RINGS_A_ROW = 256;
+
+/** Vertices that one piece between two rings takes in the strip, with one doubled at either end to part the pieces. */
+export const verticesAPiece = (sides: number): number => 2 * sides + 4;
+
+/** Rings from a texture, expanded to a tube: one triangle strip, its vertices known by their number alone. */
 export const TUBE_VERTEX = `#version 300 es
 precision highp float;
-layout(location = 0) in vec4 a0;  // centre, radius (negative: nothing follows)
-layout(location = 1) in vec4 a1;  // tangent, parameter
-layout(location = 2) in vec4 a2;  // normal, tilt of the surface along the tangent (caps)
-layout(location = 3) in vec4 b0;
-layout(location = 4) in vec4 b1;
-layout(location = 5) in vec4 b2;
+uniform sampler2D rings;      // centre, radius | tangent, parameter | normal, lean
 uniform mat4 clipFromWorld;
 uniform vec3 eye;
 uniform float worldPerPixel;  // at distance 1 in perspective, everywhere when it is orthographic
 uniform float perspective;
-uniform float sides;
+uniform float swell;          // makes up for the flat sides of a coarse tube
+uniform int sides;
 out vec3 world;
 out vec3 normal;
 out float parameter;
 void main() {
-  if (a0.w < 0.0) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
-  bool far = (gl_VertexID & 1) == 1;
-  vec4 r0 = far ? b0 : a0;
-  vec4 r1 = far ? b1 : a1;
-  vec4 r2 = far ? b2 : a2;
-  float radius = r0.w < 0.0 ? -1.0 - r0.w : r0.w;
-  float angle = float(gl_VertexID >> 1) * 6.28318530718 / sides;
+  int inPiece = gl_VertexID % (2 * sides + 4);
+  int corner = clamp(inPiece - 1, 0, 2 * sides + 1);
+  int ring = gl_VertexID / (2 * sides + 4) + (corner & 1);
+  ivec2 texel = ivec2((ring % ${RINGS_A_ROW}) * 3, ring / ${RINGS_A_ROW});
+  vec4 r0 = texelFetch(rings, texel, 0);
+  vec4 r1 = texelFetch(rings, texel + ivec2(1, 0), 0);
+  vec4 r2 = texelFetch(rings, texel + ivec2(2, 0), 0);
+  float lean = r2.w;
+  float upright = sqrt(max(0.0, 1.0 - lean * lean));
+  float angle = float(corner >> 1) * 6.28318530718 / float(sides);
   vec3 outward = cos(angle) * r2.xyz + sin(angle) * cross(r1.xyz, r2.xyz);
   // Never thinner than what one pixel can show, so that hair lines do not crumble.
   float least = 0.55 * worldPerPixel * mix(1.0, distance(eye, r0.xyz), perspective);
-  float tilt = r2.w;
-  float shown = max(radius, least * sqrt(max(0.0, 1.0 - tilt * tilt)));
-  world = r0.xyz + outward * shown;
-  // A taper leans the surface: normal = outward - d radius / d length · tangent.
-  float run = max(distance(a0.xyz, b0.xyz), 1e-6);
-  float ra = a0.w;
-  float rb = b0.w < 0.0 ? -1.0 - b0.w : b0.w;
-  float lean = tilt == 0.0 ? clamp((rb - ra) / run, -1.0, 1.0) : 0.0;
-  normal = normalize(sqrt(max(0.0, 1.0 - tilt * tilt)) * outward + (tilt - lean) * r1.xyz);
+  world = r0.xyz + outward * max(r0.w * swell, least * upright);
+  normal = upright * outward + lean * r1.xyz;
   parameter = r1.w;
   gl_Position = clipFromWorld * vec4(world, 1.0);
 }`;
@@ -130,12 +128,14 @@ float covered(vec2 uv, float level) {
 
 void main() {
   vec2 uv = onWall / (2.0 * shadowExtent) + 0.5;
-  // A soft edge: a ring of blurred samples about the middle one.
-  float dark = covered(uv, 0.7) * 0.28;
-  for (int i = 0; i < 8; i++) {
-    float angle = float(i) * 0.785398;
-    dark += covered(uv + vec2(cos(angle), sin(angle)) * 0.0032, 0.7) * 0.06;
-    dark += covered(uv + vec2(cos(angle + 0.39), sin(angle + 0.39)) * 0.0085, 1.8) * 0.03;
+  // A soft edge: blurred samples round the middle one, where a much smaller copy says that there is anything at all.
+  float dark = 0.0;
+  if (covered(uv, 4.0) > 0.0) {
+    dark = covered(uv, 0.8) * 0.28;
+    for (int i = 0; i < 8; i++) {
+      float angle = float(i) * 0.785398;
+      dark += covered(uv + vec2(cos(angle), sin(angle)) * (i % 2 == 0 ? 0.0034 : 0.0075), 1.2) * 0.09;
+    }
   }
   // Where two walls meet it is a little darker; far out the wall dissolves into the page.
   vec3 depth = max(world + away, 0.0);

@@ -23,6 +23,11 @@ export interface Samples {
 
 const DEGREE = 3;
 
+/** Samples a span so that there are about `total` in all: from 2, which still looks smooth where spans are many, to 8. */
+export function samplesPerSpan(wire: WireShape, total: number): number {
+  return Math.max(2, Math.min(8, Math.round(total / Math.max(1, wire.controlPoints.length / 4))));
+}
+
 /** `perSpan` samples on every span of the knots, by de Boor's basis functions and their derivatives. */
 export function sampleWire(wire: WireShape, perSpan: number): Samples {
   const { knots, controlPoints } = wire;

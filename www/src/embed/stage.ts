@@ -4,11 +4,11 @@
  */
 
 import { listen } from "./controls";
-import { linear, Program, shown, SoftTexture } from "./gl";
+import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
 import { orthographic, type Mat4, type Vec3 } from "./matrix";
 import { axesOf, HOME, Orbit, VIEW_POSES, type Pose } from "./orbit";
-import { SHADOW_FRAGMENT, TUBE_FRAGMENT, TUBE_VERTEX, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
-import { sampleWire, type WireShape } from "./shape";
+import { RINGS_A_ROW, SHADOW_FRAGMENT, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
+import { samplesPerSpan, sampleWire, type WireShape } from "./shape";
 import { buildRings, RING_FLOATS } from "./tube";
 
 export type ViewName = keyof typeof VIEW_POSES;
@@ -27,14 +27,24 @@ export interface Look {
   room: boolean;
 }
 
-const SIDES = 14;
-const SAMPLES_PER_SPAN = 7;
+/** Sides of the tube as it is seen, and as it casts a shadow. */
+const SIDES = 12;
+const SHADOW_SIDES = 6;
+/** About as many samples in all as a screen can tell apart. */
+const SAMPLES = 2600;
 const SHADOW_SIZE = 512;
 /** World units from the middle to the border of a shadow; the object fits the unit ball. */
 const SHADOW_EXTENT = 1.15;
 const WALL_AWAY = 1.22;
 const WALL_EXTENT = 2.6;
 const FLIGHT_MS = 650;
+/** Frames that take longer than this while things move are drawn coarser, down to this share of the pixels a side. */
+const SLOW_FRAME_MS = 40;
+const COARSEST = 0.4;
+/** The idle camera moves so slowly that half of the frames do. */
+const SWAY_FRAME_MS = 30;
+/** How long everything stands still before the picture is drawn at its finest again. */
+const REST_MS = 250;
 /** Radians the idle camera sways either way, and seconds it takes. */
 const SWAY_RAD = 0.3;
 const SWAY_S = 26;
@@ -57,10 +67,16 @@ export class Stage {
   private resources!: Resources;
   private look: Look;
   private wire: WireShape | null = null;
-  private ringData: Float32Array | undefined;
+  private ringData: Float32Array<ArrayBuffer> | undefined;
   private ringCount = 0;
-  private stale = { wire: true, picture: true };
+  private wireStale = true;
   private frame = 0;
+  private lastFrameMs = 0;
+  /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
+  private fineness = 1;
+  /** Whether the next frame was wanted as soon as this one was drawn, so that the time between them says something. */
+  private following = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
   private swaying = false;
   private swayStartMs = 0;
   private swayFrom = HOME.azimuthRad;
@@ -92,8 +108,9 @@ export class Stage {
   }
 
   setWire(wire: WireShape | null): void {
+    this.following ||= performance.now() - this.lastFrameMs < REST_MS;
     this.wire = wire;
-    this.stale.wire = true;
+    this.wireStale = true;
     this.invalidate();
   }
 
@@ -122,6 +139,7 @@ export class Stage {
 
   dispose(): void {
     cancelAnimationFrame(this.frame);
+    clearTimeout(this.rest);
     this.observer.disconnect();
     this.stopListening();
     this.canvas.removeEventListener("webglcontextlost", this.lost);
@@ -132,7 +150,7 @@ export class Stage {
   private readonly lost = (event: Event): void => event.preventDefault();
   private readonly restored = (): void => {
     this.resources = new Resources(this.gl);
-    this.stale.wire = true;
+    this.wireStale = true;
     this.invalidate();
   };
 
@@ -144,34 +162,59 @@ export class Stage {
   }
 
   private invalidate(): void {
-    this.stale.picture = true;
     this.frame ||= requestAnimationFrame(this.draw);
   }
 
   private readonly draw = (nowMs: number): void => {
     this.frame = 0;
     if (this.gl.isContextLost()) return;
+    const sinceMs = nowMs - this.lastFrameMs;
+    const moving = this.wireStale || this.orbit.flying;
+    if (this.swaying && !moving && sinceMs < SWAY_FRAME_MS) {
+      this.invalidate();
+      return;
+    }
+    this.lastFrameMs = nowMs;
+    this.adapt(sinceMs);
     const flying = this.orbit.advance(nowMs);
     if (this.swaying) {
       const phase = ((nowMs - this.swayStartMs) / 1000 / SWAY_S) * 2 * Math.PI;
       this.orbit.pose.azimuthRad = this.swayFrom + SWAY_RAD * Math.sin(phase);
     }
-    if (this.stale.wire) this.uploadWire();
+    if (this.wireStale) this.uploadWire();
+    this.wireStale = false;
     this.paint();
-    this.stale = { wire: false, picture: false };
-    if (flying || this.swaying) this.invalidate();
+    this.following = flying || this.swaying;
+    if (this.following) this.invalidate();
   };
 
+  /** Coarser when frames that follow each other come slowly; fine again after a rest. */
+  private adapt(sinceMs: number): void {
+    if (sinceMs > SLOW_FRAME_MS && this.following) {
+      // Where even that does not help, at least nothing moves by itself.
+      if (this.fineness === COARSEST) this.swaying = false;
+      this.fineness = Math.max(COARSEST, this.fineness * 0.8);
+    }
+    clearTimeout(this.rest);
+    if (this.fineness < 1) {
+      this.rest = setTimeout(() => {
+        this.fineness = 1;
+        this.invalidate();
+      }, REST_MS);
+    }
+  }
+
   private uploadWire(): void {
-    const { gl, resources } = this;
+    const { resources } = this;
     if (!this.wire) {
       this.ringCount = 0;
     } else {
-      const rings = buildRings(sampleWire(this.wire, SAMPLES_PER_SPAN), this.ringData);
-      this.ringData = rings.data;
+      const rings = buildRings(sampleWire(this.wire, samplesPerSpan(this.wire, SAMPLES)), this.ringData);
       this.ringCount = rings.count;
-      gl.bindBuffer(gl.ARRAY_BUFFER, resources.rings);
-      gl.bufferData(gl.ARRAY_BUFFER, rings.data, gl.DYNAMIC_DRAW, 0, rings.count * RING_FLOATS);
+      const rows = Math.ceil(rings.count / RINGS_A_ROW);
+      const floats = rows * RINGS_A_ROW * RING_FLOATS;
+      this.ringData = rings.data.length >= floats ? rings.data : grown(rings.data, 2 * floats);
+      resources.rings.write(this.ringData.subarray(0, floats), rows);
     }
     if (!this.look.room) return;
     WALLS.forEach(({ axes }, i) => {
@@ -179,14 +222,14 @@ export class Stage {
         const { shadowTube } = resources;
         shadowTube.use();
         const worldPerPixel = (2 * SHADOW_EXTENT) / SHADOW_SIZE;
-        this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], worldPerPixel, false);
+        this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], worldPerPixel, false, SHADOW_SIDES);
       });
     });
   }
 
   private paint(): void {
     const { gl, canvas, resources, look } = this;
-    const density = Math.min(2, devicePixelRatio || 1);
+    const density = Math.min(2, devicePixelRatio || 1) * this.fineness;
     const width = Math.max(1, Math.round(canvas.clientWidth * density));
     const height = Math.max(1, Math.round(canvas.clientHeight * density));
     if (canvas.width !== width || canvas.height !== height) {
@@ -205,7 +248,7 @@ export class Stage {
     gl.uniform3fv(tube.at("sky"), linear(look.sky));
     gl.uniform3fv(tube.at("ground"), linear(look.ground));
     gl.uniform1f(tube.at("byParameter"), look.byParameter ? 1 : 0);
-    this.drawTube(tube, camera.clipFromWorld, camera.eye, camera.worldPerPixel, true);
+    this.drawTube(tube, camera.clipFromWorld, camera.eye, camera.worldPerPixel, true, SIDES);
     gl.disable(gl.DEPTH_TEST);
   }
 
@@ -233,24 +276,39 @@ export class Stage {
       gl.uniform1f(wall.at("brightness"), brightness);
       gl.uniformMatrix3fv(wall.at("axes"), false, axes.flat());
       gl.bindTexture(gl.TEXTURE_2D, resources.shadows[i]!.texture);
-      gl.bindVertexArray(null);
       gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     });
     gl.disable(gl.BLEND);
   }
 
-  private drawTube(program: Program, clipFromWorld: Mat4, eye: Vec3, worldPerPixel: number, perspective: boolean): void {
+  private drawTube(
+    program: Program,
+    clipFromWorld: Mat4,
+    eye: Vec3,
+    worldPerPixel: number,
+    perspective: boolean,
+    sides: number,
+  ): void {
     const { gl } = this;
     if (this.ringCount < 2) return;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.resources.rings.texture);
+    gl.uniform1i(program.at("rings"), 0);
     gl.uniformMatrix4fv(program.at("clipFromWorld"), false, clipFromWorld);
     gl.uniform3fv(program.at("eye"), eye);
     gl.uniform1f(program.at("worldPerPixel"), worldPerPixel);
     gl.uniform1f(program.at("perspective"), perspective ? 1 : 0);
-    gl.uniform1f(program.at("sides"), SIDES);
-    gl.bindVertexArray(this.resources.tubeLayout);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * (SIDES + 1), this.ringCount - 1);
-    gl.bindVertexArray(null);
+    gl.uniform1i(program.at("sides"), sides);
+    // Seen from a random side, a prism is as wide on average as a cylinder of this share of its radius.
+    gl.uniform1f(program.at("swell"), Math.PI / sides / Math.sin(Math.PI / sides));
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, verticesAPiece(sides) * (this.ringCount - 1));
   }
+}
+
+function grown(data: Float32Array<ArrayBuffer>, length: number): Float32Array<ArrayBuffer> {
+  const larger = new Float32Array(length);
+  larger.set(data);
+  return larger;
 }
 
 /** Everything that lives on the graphics card, made again when the browser took it away. */
@@ -258,27 +316,14 @@ class Resources {
   readonly tube: Program;
   readonly shadowTube: Program;
   readonly wall: Program;
-  readonly rings: WebGLBuffer;
-  readonly tubeLayout: WebGLVertexArrayObject;
+  readonly rings: NumberTexture;
   readonly shadows: readonly SoftTexture[];
 
   constructor(gl: WebGL2RenderingContext) {
     this.tube = new Program(gl, TUBE_VERTEX, TUBE_FRAGMENT);
     this.shadowTube = new Program(gl, TUBE_VERTEX, SHADOW_FRAGMENT);
     this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
-    this.rings = gl.createBuffer();
-    this.tubeLayout = gl.createVertexArray();
-    gl.bindVertexArray(this.tubeLayout);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.rings);
-    const bytes = RING_FLOATS * 4;
-    for (let location = 0; location < 6; location++) {
-      // Locations 0 to 2 read a ring, 3 to 5 the one after it.
-      const offset = location < 3 ? location * 16 : bytes + (location - 3) * 16;
-      gl.enableVertexAttribArray(location);
-      gl.vertexAttribPointer(location, 4, gl.FLOAT, false, bytes, offset);
-      gl.vertexAttribDivisor(location, 1);
-    }
-    gl.bindVertexArray(null);
+    this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
     this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
   }
 }

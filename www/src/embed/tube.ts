@@ -2,67 +2,65 @@
 
 import type { Samples } from "./shape";
 
-/** Floats for each ring: centre 3, radius, tangent 3, parameter, normal 3, tilt. See `shaders.ts`. */
+/** Floats for each ring: centre 3, radius, tangent 3, parameter, normal 3, lean. See `shaders.ts`. */
 export const RING_FLOATS = 12;
 const CAP_RINGS = 5;
 
-/** Rings in drawing order; a negative radius marks the last ring of a strip, from which nothing is drawn onwards. */
+/**
+ * Rings in drawing order, each joined to the next. Every strip begins and ends in a pole of radius 0, so what joins
+ * two strips has no area.
+ */
 export interface Rings {
   readonly count: number;
-  readonly data: Float32Array;
+  readonly data: Float32Array<ArrayBuffer>;
 }
 
 type Vector = [number, number, number];
 
-/** Rings for every strip. `data` is reused when it is large enough, so a running fit allocates nothing much. */
-export function buildRings(samples: Samples, reuse?: Float32Array): Rings {
+/**
+ * Rings for every strip. The lean of the surface along the wire is the sine of its angle: ±1 at the poles, minus the
+ * growth of the radius elsewhere. `data` is `reuse` where that is large enough.
+ */
+export function buildRings(samples: Samples, reuse?: Float32Array<ArrayBuffer>): Rings {
   const count = samples.strips.reduce((sum, s) => sum + s.last - s.first + 1 + (s.closed ? 1 : 2 * CAP_RINGS), 0);
   const data = reuse && reuse.length >= count * RING_FLOATS ? reuse : new Float32Array(count * RING_FLOATS * 2);
   let at = 0;
 
-  const put = (centre: Vector, radius: number, tangent: Vector, normal: Vector, parameter: number, tilt: number): void => {
-    data.set([...centre, radius, ...tangent, parameter, ...normal, tilt], at);
+  const put = (centre: Vector, radius: number, tangent: Vector, normal: Vector, parameter: number, lean: number): void => {
+    data.set([...centre, radius, ...tangent, parameter, ...normal, lean], at);
     at += RING_FLOATS;
   };
+  const { points } = samples;
+  const centreOf = (k: number): Vector => [points[4 * k]!, points[4 * k + 1]!, points[4 * k + 2]!];
+  const radiusOf = (k: number): number => points[4 * k + 3]!;
+  const taper = (a: number, b: number): number => {
+    const run = Math.hypot(points[4 * b]! - points[4 * a]!, points[4 * b + 1]! - points[4 * a + 1]!, points[4 * b + 2]! - points[4 * a + 2]!);
+    return Math.max(-0.9, Math.min(0.9, (radiusOf(a) - radiusOf(b)) / Math.max(run, 1e-6)));
+  };
 
-  for (const strip of samples.strips) {
-    const length = strip.last - strip.first + 1;
-    const tangents = unitTangents(samples, strip.first, length);
+  for (const { first, last, closed } of samples.strips) {
+    const tangents = unitTangents(samples, first, last - first + 1);
     const normals = transportedNormals(tangents);
-    const ring = (i: number): [Vector, number, number] => {
-      const k = strip.first + i;
-      const p = samples.points;
-      return [[p[4 * k]!, p[4 * k + 1]!, p[4 * k + 2]!], p[4 * k + 3]!, samples.parameters[k]!];
-    };
-    const cap = (i: number, direction: 1 | -1): void => {
-      const [centre, radius, parameter] = ring(i);
-      const tangent = tangents[i]!;
+    const cap = (k: number, direction: 1 | -1): void => {
+      const [centre, radius, tangent] = [centreOf(k), radiusOf(k), tangents[k - first]!];
       for (let step = 0; step < CAP_RINGS; step++) {
         // From the pole to the rim at the start of a strip, and back at its end.
         const angle = (Math.PI / 2) * (direction < 0 ? 1 - step / CAP_RINGS : (step + 1) / CAP_RINGS);
-        const along = direction * radius * Math.sin(angle);
-        const moved: Vector = [
-          centre[0] + tangent[0] * along,
-          centre[1] + tangent[1] * along,
-          centre[2] + tangent[2] * along,
-        ];
-        put(moved, radius * Math.cos(angle), tangent, normals[i]!, parameter, direction * Math.sin(angle));
+        const [out, along] = [Math.cos(angle) * radius, direction * Math.sin(angle)];
+        const moved = centre.map((c, i) => c + tangent[i]! * along * radius) as Vector;
+        const pole = Math.abs(along) > 1 - 1e-9;
+        put(moved, pole ? 0 : out, tangent, normals[k - first]!, samples.parameters[k]!, pole ? direction : along);
       }
     };
 
-    if (!strip.closed) cap(0, -1);
-    for (let i = 0; i < length; i++) {
-      const [centre, radius, parameter] = ring(i);
-      put(centre, radius, tangents[i]!, normals[i]!, parameter, 0);
+    if (!closed) cap(first, -1);
+    for (let k = first; k <= last; k++) {
+      const lean = taper(closed || k > first ? (k > first ? k - 1 : last) : k, closed || k < last ? (k < last ? k + 1 : first) : k);
+      put(centreOf(k), radiusOf(k), tangents[k - first]!, normals[k - first]!, samples.parameters[k]!, lean);
     }
-    if (strip.closed) {
-      const [centre, radius] = ring(0);
-      // The last frame, not the first: both lie on the same circle, and this one does not twist the last piece.
-      put(centre, radius, tangents[0]!, normals[length - 1]!, 1, 0);
-    } else {
-      cap(length - 1, 1);
-    }
-    data[at - RING_FLOATS + 3] = -1 - Math.max(0, data[at - RING_FLOATS + 3]!);
+    // A closed strip ends with the last frame, not the first: both lie on the same circle, and this one does not twist.
+    if (closed) put(centreOf(first), radiusOf(first), tangents[0]!, normals.at(-1)!, 1, 0);
+    else cap(last, 1);
   }
   return { count: at / RING_FLOATS, data };
 }

@@ -106,8 +106,8 @@ export interface Calls {
 
 export type CallName = keyof Calls;
 export type Request = { [K in CallName]: { id: number; call: K } & Calls[K]["arguments"] }[CallName];
-/** Words to a run that is under way; they need no answer. */
-export type Control = { control: "pause" | "resume" | "stop" };
+/** Words to a run that is under way; they need no answer. `seen` asks for the next frame: none comes before it. */
+export type Control = { control: "pause" | "resume" | "stop" | "seen" };
 
 export type News =
   | { news: "progress"; words: string; share: number }

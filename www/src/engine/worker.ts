@@ -10,6 +10,8 @@ const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; 
 
 type Wanted = "run" | "pause" | "stop";
 let wanted: Wanted = "run";
+/** Whether the page has seen the last frame: a slow page is not flooded. */
+let seen = true;
 let wake: () => void = () => undefined;
 let sculpture: CoreSculpture | null = null;
 
@@ -32,6 +34,7 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
 
 async function run(session: CoreRun): Promise<Finished> {
   wanted = "run" as Wanted;
+  seen = true;
   let told = -Infinity;
   let steps = 1;
   tell({ news: "targets", targets: session.targets() });
@@ -45,8 +48,9 @@ async function run(session: CoreRun): Promise<Finished> {
       // As many steps as fill a slice, found as the run goes.
       steps = Math.max(1, Math.min(64, Math.round((steps * SLICE_MS) / Math.max(1, now - before))));
       const over = frame.iteration >= frame.iterations;
-      if (over || now - told >= FRAME_MS) {
+      if (over || (seen && now - told >= FRAME_MS)) {
         told = now;
+        seen = false;
         tell({ news: "frame", frame: session.frame() });
       }
       if (over) break;
@@ -87,8 +91,12 @@ function tell(message: News | Answer): void {
 
 onmessage = async ({ data }: MessageEvent<Request | Control>) => {
   if ("control" in data) {
-    wanted = data.control === "resume" ? "run" : data.control;
-    wake();
+    if (data.control === "seen") {
+      seen = true;
+    } else {
+      wanted = data.control === "resume" ? "run" : data.control;
+      wake();
+    }
     return;
   }
   try {

@@ -1,4 +1,4 @@
-/** Everything a person can do on the page, and the state that follows from it. Knows no DOM. */
+/** Everything a person can do on the page, and the state that follows from it. Knows no elements. */
 
 import { Cancelled, EngineClient } from "../engine/client";
 import type { ExportFormat, Finished, Frame, Ink, News, Picture, SettingValues, Target } from "../engine/protocol";
@@ -214,6 +214,8 @@ export class Studio {
         break;
       case "frame":
         this.hearFrame(news.frame);
+        // After the browser has drawn what came of it (or at once in a hidden tab, where it draws nothing).
+        afterDrawing(() => this.engine.control("seen"));
         break;
     }
   }
@@ -233,4 +235,20 @@ export class Studio {
       },
     });
   }
+}
+
+/** Where drawing takes long, as long again is left for everything else. */
+function afterDrawing(action: () => void): void {
+  if (document.hidden) {
+    action();
+    return;
+  }
+  const askedMs = performance.now();
+  requestAnimationFrame(() =>
+    setTimeout(() => {
+      const tookMs = performance.now() - askedMs;
+      if (tookMs > 50) setTimeout(action, Math.min(1000, tookMs));
+      else action();
+    }),
+  );
 }

@@ -1,11 +1,12 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { sampleWire, type Samples, type WireShape } from "../embed/shape";
+import { samplesPerSpan, sampleWire, type Samples, type WireShape } from "../embed/shape";
 import type { Target, View } from "../engine/protocol";
 import { percent } from "../state/words";
 import { paintInk, paintWire } from "./paint";
 
 const SIZE_PX = 192;
+const SAMPLES = 1600;
 
 /** One small picture a view: the drawing in copper, the wire over it. Copper that is left over is missing from the wire. */
 @customElement("match-panels")
@@ -74,7 +75,7 @@ export class MatchPanels extends LitElement {
 
   /** Repaints one view a frame, so that three never weigh on the same one. */
   setWire(wire: WireShape | null): void {
-    this.samples = wire && sampleWire(wire, 4);
+    this.samples = wire && sampleWire(wire, samplesPerSpan(wire, SAMPLES));
     this.repaint();
   }
 
