@@ -17,7 +17,7 @@ export interface Pose {
 const QUARTER = Math.PI / 2;
 const NARROW_RAD = 0.02;
 
-export const HOME: Readonly<Pose> = { azimuthRad: 0.68, elevationRad: 0.42, reach: 1.52, fovYRad: 0.5, target: [-0.16, -0.24, -0.16] };
+export const HOME: Readonly<Pose> = { azimuthRad: 0.68, elevationRad: 0.42, reach: 1.48, fovYRad: 0.5, target: [-0.16, -0.2, -0.16] };
 export const VIEW_POSES: Readonly<Record<"front" | "side" | "top", Pose>> = {
   front: { azimuthRad: 0, elevationRad: 0, reach: 0.95, fovYRad: NARROW_RAD, target: [0, 0, 0] },
   side: { azimuthRad: QUARTER, elevationRad: 0, reach: 0.95, fovYRad: NARROW_RAD, target: [0, 0, 0] },

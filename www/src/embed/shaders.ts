@@ -143,6 +143,6 @@ void main() {
   float meeting = corner.x + corner.y + corner.z - max(corner.x, max(corner.y, corner.z));
   vec3 plain = wall * brightness * (1.0 - 0.045 * meeting);
   vec2 square = onWall * onWall;
-  float edge = 1.0 - smoothstep(1.0, 2.1, sqrt(sqrt(dot(square, square))));
+  float edge = 1.0 - smoothstep(1.05, 1.8, sqrt(sqrt(dot(square, square))));
   colour = vec4(mix(plain, shade, clamp(dark, 0.0, 1.0) * 0.82), 1.0) * edge * shown;
 }`;

@@ -1,7 +1,7 @@
 /** Everything a person can do on the page, and the state that follows from it. Knows no elements. */
 
 import { Cancelled, EngineClient } from "../engine/client";
-import type { ExportFormat, Finished, Frame, Ink, News, Picture, SettingValues, Target } from "../engine/protocol";
+import type { ExportFormat, Finished, Frame, Ink, News, Picture, SettingValues, Target, View } from "../engine/protocol";
 import type { WireShape } from "../embed/shape";
 import { linkTo } from "./link";
 import { readPicture } from "./picture";
@@ -37,16 +37,26 @@ export interface StudioState {
   readonly progress: Progress;
   /** [iteration, loss] since the run began. */
   readonly losses: readonly (readonly [number, number])[];
+  /** Where the wire on the stage is to be looked at from. */
+  readonly views: readonly View[];
   readonly targets: readonly Target[];
   /** What a person should know about the drawings of this run. */
   readonly notes: readonly string[];
   readonly finished: Finished | null;
   /** Where the wire on the stage is from. */
-  readonly source: "none" | "run" | "link";
+  readonly source: "none" | "example" | "run" | "link";
   readonly settings: SettingValues;
   readonly problem: string;
   /** A short word about what was just done, such as "Link copied". */
   readonly said: string;
+}
+
+/** What the page reads of a wire.json. */
+export interface WireFile {
+  readonly closed: boolean;
+  readonly knots: readonly number[];
+  readonly control_points: readonly (readonly number[])[];
+  readonly views: readonly View[];
 }
 
 const EMPTY_PAD: Pad = { picture: null, ink: null, note: "", problem: "", busy: false };
@@ -58,6 +68,7 @@ export class Studio {
     phase: "idle",
     progress: READY,
     losses: [],
+    views: [],
     targets: [],
     notes: [],
     finished: null,
@@ -119,7 +130,7 @@ export class Studio {
     try {
       const finished = await this.engine.call("run", { pictures, settings });
       this.showWire(finished.wire);
-      this.store.set({ phase: "idle", progress: READY, finished, targets: finished.targets });
+      this.store.set({ phase: "idle", progress: READY, finished, views: finished.views, targets: finished.targets });
     } catch (error) {
       const problem = error instanceof Cancelled ? "" : explain(error, "The run");
       this.store.set({ phase: "idle", progress: READY, problem });
@@ -148,13 +159,22 @@ export class Studio {
     }
   }
 
+  /** Shows a wire that was made before, until there is another. */
+  showExample({ closed, knots, control_points, views }: WireFile): void {
+    if (this.wire) return;
+    this.showWire({ closed, knots, controlPoints: Float32Array.from(control_points.flat()) });
+    const said = "An example, made from these three drawings. Run makes it again.";
+    this.store.set({ views, source: "example", said });
+  }
+
   /** Shows the wire a link carries. */
   async open(code: string): Promise<void> {
     try {
       const finished = await this.engine.call("open", { code });
       if (this.store.get().phase !== "idle") return;
       this.showWire(finished.wire);
-      this.store.set({ finished, source: "link", targets: finished.targets, losses: [], notes: [], problem: "" });
+      const { views, targets } = finished;
+      this.store.set({ finished, source: "link", views, targets, losses: [], notes: [], problem: "", said: "" });
     } catch (error) {
       this.store.set({ problem: explain(error, "The link") });
     }
@@ -210,7 +230,12 @@ export class Studio {
         break;
       case "targets":
         this.fitStartMs = performance.now();
-        this.store.set({ targets: news.targets, phase: "running", source: "run" });
+        this.store.set({
+          targets: news.targets,
+          views: news.targets.map((target) => target.view),
+          phase: "running",
+          source: "run",
+        });
         break;
       case "frame":
         this.hearFrame(news.frame);

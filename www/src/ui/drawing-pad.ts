@@ -82,7 +82,7 @@ export class DrawingPad extends LitElement {
       .problem {
         color: var(--error);
       }
-      @media (max-width: 819px) {
+      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
         .pad {
           aspect-ratio: 1;
         }

@@ -11,8 +11,8 @@ interface Choice {
 
 /** Words for the two settings that matter most; names and values are those of the core's table. */
 const CHOICES: readonly Choice[] = [
-  { name: "preset", label: "Take your time?", options: [["fast", "Quick sketch"], ["best", "Best wire"], ["paper", "As in the paper"]] },
-  { name: "bend", label: "May drawings bend to agree?", options: [["none", "Not at all"], ["little", "A little"], ["free", "As they like"]] },
+  { name: "preset", label: "Quality", options: [["fast", "Quick sketch"], ["best", "Best wire"], ["paper", "As in the paper"]] },
+  { name: "bend", label: "Bend the drawings to agree", options: [["none", "Not at all"], ["little", "A little"], ["free", "Freely"]] },
 ];
 
 /** The main settings. Fires `choose` with a name and a value. */

@@ -1,14 +1,14 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, query, queryAll, state } from "lit/decorators.js";
-import type { ExportFormat, View } from "../engine/protocol";
+import type { ExportFormat } from "../engine/protocol";
 import { codeFrom } from "../state/link";
-import { SLOTS, Studio, type Slot, type StudioState } from "../state/studio";
+import { SLOTS, Studio, type Slot, type StudioState, type WireFile } from "../state/studio";
 import "../view/loss-curve";
 import "../view/match-panels";
 import type { MatchPanels } from "../view/match-panels";
 import type { DrawingPad } from "./drawing-pad";
 import "./drawing-pad";
-import { EXAMPLE } from "./example";
+import { EXAMPLE, EXAMPLE_WIRE } from "./example";
 import { icons } from "./icons";
 import "./run-panel";
 import "./settings-panel";
@@ -134,7 +134,8 @@ export class WireApp extends LitElement {
           padding: 0 16px;
         }
       }
-      @media (max-width: 819px) {
+      /* A phone, or a tablet held upright: the stage stays above, everything else scrolls below it. */
+      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
         :host {
           display: block;
           height: auto;
@@ -157,7 +158,6 @@ export class WireApp extends LitElement {
           height: 46svh;
           min-height: 240px;
           border-bottom: 1px solid var(--line);
-          background: var(--paper);
         }
         .pads {
           display: grid;
@@ -169,18 +169,28 @@ export class WireApp extends LitElement {
           padding: 16px;
           overflow: visible;
         }
-        .main {
-          display: flex;
-          flex-direction: column;
+      }
+      @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
+        .pads {
+          gap: 16px;
+        }
+        .side {
+          display: grid;
+          grid-template: "run match" auto "keep match" auto "settings match" 1fr / 1fr 1fr;
+        }
+        run-panel {
+          grid-area: run;
+        }
+        .match {
+          grid-area: match;
         }
       }
     `,
   ];
 
   override render() {
-    const { pads, phase, losses, finished, targets, notes, settings, problem } = this.now;
+    const { pads, phase, losses, finished, targets, views, notes, settings, problem } = this.now;
     const idle = phase === "idle";
-    const views: readonly View[] = finished?.views.length ? finished.views : targets.map((target) => target.view);
     return html`
       <header>
         <h1>Wire<b>4D</b></h1>
@@ -205,7 +215,7 @@ export class WireApp extends LitElement {
           @pause=${() => this.studio.pause()}
           @stop=${() => this.studio.stop()}
         ></run-panel>
-        <section>
+        <section class="match">
           <h2>Match</h2>
           <match-panels
             .views=${views}
@@ -260,7 +270,7 @@ export class WireApp extends LitElement {
       { signal },
     );
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour(), { signal });
-    this.openLink();
+    if (!this.openLink()) void this.showExample();
     for (const slot of SLOTS) void this.giveExample(slot);
   }
 
@@ -269,9 +279,15 @@ export class WireApp extends LitElement {
     this.ending.abort();
   }
 
-  private openLink(): void {
+  private openLink(): boolean {
     const code = codeFrom(location.hash);
     if (code !== null) void this.studio.open(code);
+    return code !== null;
+  }
+
+  private async showExample(): Promise<void> {
+    const response = await fetch(EXAMPLE_WIRE);
+    if (response.ok) this.studio.showExample((await response.json()) as WireFile);
   }
 
   private async giveExample(slot: Slot): Promise<void> {

@@ -5,7 +5,7 @@ import { Stage, type Look, type ViewName } from "../embed/stage";
 import { controls } from "./shared";
 
 const LIGHT: Look = { wall: "#f6f3ee", shadow: "#4a4038", metal: "#c77f43", sky: "#f4f1ec", ground: "#8d7460", byParameter: false, room: true };
-const DARK: Look = { wall: "#33302c", shadow: "#0d0c0b", metal: "#d08a50", sky: "#a8a29a", ground: "#3a2d22", byParameter: false, room: true };
+const DARK: Look = { wall: "#302d29", shadow: "#0d0c0b", metal: "#d08a50", sky: "#a8a29a", ground: "#3a2d22", byParameter: false, room: true };
 const VIEWS: readonly (ViewName | "room")[] = ["room", "front", "side", "top"];
 
 /** The stage with its buttons. */
@@ -21,15 +21,17 @@ export class WireStage extends LitElement {
     controls,
     css`
       :host {
-        position: relative;
-        display: block;
+        display: flex;
+        flex-direction: column;
         overflow: hidden;
+        background: var(--stage);
       }
       canvas {
         display: block;
+        flex: 1;
+        min-height: 0;
         width: 100%;
-        height: 100%;
-        mask-image: linear-gradient(to right, transparent, #000 12%, #000 88%, transparent);
+        mask-image: linear-gradient(to right, transparent, #000 8%, #000 92%, transparent);
         touch-action: none;
         cursor: grab;
       }
@@ -40,16 +42,15 @@ export class WireStage extends LitElement {
         outline-offset: -3px;
       }
       .views {
-        position: absolute;
-        left: 50%;
-        bottom: 16px;
         display: flex;
+        align-self: center;
+        flex: none;
+        margin: 8px 0 16px;
         padding: 3px;
         border: 1px solid var(--line);
         border-radius: 9px;
         background: var(--raised);
         box-shadow: var(--shadow);
-        transform: translateX(-50%);
       }
       .views button {
         min-height: 32px;
@@ -63,17 +64,14 @@ export class WireStage extends LitElement {
         background: var(--paper);
       }
       .problem {
-        position: absolute;
-        inset: 0;
-        display: grid;
-        place-items: center;
+        margin: auto;
         padding: 24px;
         text-align: center;
         color: var(--quiet);
       }
       @media (pointer: coarse) {
         .views {
-          bottom: 8px;
+          margin: 4px 0 8px;
         }
         .views button {
           min-height: 44px;
