@@ -5,6 +5,7 @@
 
 mod band;
 mod cells;
+mod check;
 mod exact;
 pub mod flatten;
 mod hidden;
@@ -19,6 +20,7 @@ mod shapes;
 mod walk;
 
 pub use band::BandRaster;
+pub use check::{SELF_CHECK_TOLERANCE, self_check};
 pub use exact::ExactRaster;
 pub use sampled::sampled_union;
 

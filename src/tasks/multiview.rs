@@ -8,7 +8,7 @@ use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultR
 use crate::objective::Displacement;
 use crate::optimize::{Event, Problem, Session, WidthBounds};
 use crate::sculpture::{MadeWith, Sculpture, render};
-use crate::settings::{Bend, Ink, OnOff, Settings, Start, Turn};
+use crate::settings::{Backend, Bend, Ink, OnOff, Settings, Start, Turn};
 use crate::start::{
     self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, TrailOptions, TreeOptions,
 };
@@ -62,6 +62,9 @@ const LOW_SHARE: f32 = 0.75;
 /// [`Error::Picture`] for a drawing without ink, [`Error::Pictures`] when they are too few or share no ink at all.
 pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     settings.check()?;
+    if settings.backend == Backend::Gpu {
+        return Err(Error::setting("backend", "no GPU engine is built in yet", "use auto or cpu"));
+    }
     if drawings.len() < 2 {
         return Err(Error::Pictures {
             problem: format!(

@@ -32,6 +32,7 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
         Some(("export", matches)) => wires::export(matches),
         Some(("share", matches)) => wires::share(matches),
         Some(("open", matches)) => wires::open(matches),
+        Some(("raster", matches)) => wires::raster(matches),
         Some(("device", matches)) => wires::device(matches),
         _ => unreachable!("clap asks for a known verb"),
     }

@@ -2,10 +2,12 @@
 
 use crate::args;
 use clap::ArgMatches;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use wire4d::export::{self, ExportOptions, Format};
 use wire4d::files::write_whole;
 use wire4d::metrics::ResultReport;
+use wire4d::raster::scene::{self, SceneJob};
+use wire4d::raster::{SELF_CHECK_TOLERANCE, self_check};
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::Drawing;
@@ -72,10 +74,39 @@ pub fn open(matches: &ArgMatches) -> Result<()> {
     Ok(())
 }
 
+/// `wire4d raster`.
+pub fn raster(matches: &ArgMatches) -> Result<()> {
+    if matches.get_one::<String>("backend").is_some_and(|backend| backend == "gpu") {
+        return Err(Error::setting("--backend", "no GPU engine is built in yet", "use auto or cpu"));
+    }
+    let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
+    let job = SceneJob {
+        scene: args::path(matches, "scene").to_owned(),
+        target: path("target"),
+        out: path("out"),
+        grad: path("grad"),
+        repeat: matches.get_one::<u32>("repeat").copied(),
+    };
+    if let Some(line) = scene::run(&job)? {
+        println!("{line}");
+    }
+    Ok(())
+}
+
 /// `wire4d device`.
 pub fn device(_: &ArgMatches) -> Result<()> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    println!("cpu: {threads} threads, {}; self-check passed", std::env::consts::ARCH);
+    println!("backend: cpu, {} with {threads} threads (no GPU engine is built in yet)", std::env::consts::ARCH);
+    println!("limits: 20,000 control points, pictures of 2,048 px a side");
+    let difference = self_check();
+    if difference > SELF_CHECK_TOLERANCE {
+        return Err(Error::Output {
+            name: "self-check".into(),
+            problem: format!("coverage differs from the reference by {difference:.3}"),
+            remedy: "this machine's arithmetic is not to be trusted; use another".into(),
+        });
+    }
+    println!("self-check: passed, coverage within {difference:.3} of the reference");
     Ok(())
 }
 
