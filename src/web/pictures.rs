@@ -3,7 +3,7 @@
 use super::{json, parse_settings};
 use crate::Result;
 use crate::settings::Settings;
-use crate::tasks::multiview::Drawing;
+use crate::tasks::multiview::{Drawing, Plan};
 use crate::view::{Image, Picture, View};
 use wasm_bindgen::prelude::*;
 
@@ -76,13 +76,31 @@ pub struct ViewTarget {
     /// Share of the drawing's ink that any object at all could show, 0 to 1.
     #[wasm_bindgen(readonly)]
     pub coverable: f32,
+    /// Which of the run's pictures it is, from 0.
+    #[wasm_bindgen(readonly)]
+    pub source: usize,
+    /// Whether that picture is seen mirrored.
+    #[wasm_bindgen(readonly)]
+    pub mirrored: bool,
+    /// By how many quarters it is turned.
+    #[wasm_bindgen(readonly)]
+    pub quarter_turns: u8,
     view: View,
     ink: Ink,
 }
 
 impl ViewTarget {
-    pub(super) fn new(view: &View, image: &Image, coverable: f32) -> ViewTarget {
-        ViewTarget { coverable, view: view.clone(), ink: Ink::new(image) }
+    /// View `index` of a plan, with `image` as what it should show.
+    pub(super) fn new(plan: &Plan, index: usize, image: &Image) -> ViewTarget {
+        let placement = &plan.arrangement.placements[index];
+        ViewTarget {
+            coverable: plan.coverable[index].share,
+            source: placement.source,
+            mirrored: placement.orientation.mirrored,
+            quarter_turns: placement.orientation.quarter_turns,
+            view: plan.arrangement.targets[index].view.clone(),
+            ink: Ink::new(image),
+        }
     }
 }
 

@@ -80,19 +80,17 @@ impl Run {
     /// A view's target as arranged, not bent.
     pub fn target(&self, index: usize) -> ViewTarget {
         let plan = self.0.plan();
-        let target = &plan.arrangement.targets[index];
-        ViewTarget::new(&target.view, &target.ink, plan.coverable[index].share)
+        ViewTarget::new(plan, index, &plan.arrangement.targets[index].ink)
     }
 
     /// The best wire so far, measured. Its targets are the drawings as they were bent.
     pub fn finish(&self) -> Made {
-        let targets = (0..self.target_count()).map(|index| self.target(index));
-        let plan = self.0.plan();
         let targets = match self.0.bent() {
-            None => targets.collect(),
-            Some(bent) => (plan.arrangement.targets.iter().zip(&plan.coverable).zip(&bent))
-                .map(|((target, coverable), (image, _))| ViewTarget::new(&target.view, image, coverable.share))
-                .collect(),
+            None => (0..self.target_count()).map(|index| self.target(index)).collect(),
+            Some(bent) => {
+                let bent = bent.iter().enumerate();
+                bent.map(|(index, (image, _))| ViewTarget::new(self.0.plan(), index, image)).collect()
+            }
         };
         Made::new(self.0.sculpture(), targets, self.0.result())
     }

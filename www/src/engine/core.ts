@@ -92,6 +92,9 @@ function targets(of: { target_count: number; target(index: number): wasm.ViewTar
     taken(of.target(index), (target) => ({
       view: JSON.parse(target.view()) as View,
       coverable: target.coverable,
+      source: target.source,
+      mirrored: target.mirrored,
+      quarterTurns: target.quarter_turns,
       ...taken(target.ink(), plain),
     })),
   );

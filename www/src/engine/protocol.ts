@@ -39,6 +39,10 @@ export interface Target extends Ink {
   readonly view: View;
   /** Share of its ink that any object at all could show, 0 to 1. */
   readonly coverable: number;
+  /** Which of the run's pictures it is, and how that was laid. */
+  readonly source: number;
+  readonly mirrored: boolean;
+  readonly quarterTurns: number;
 }
 
 /** What the run is at. */

@@ -1,12 +1,12 @@
 /** Everything a person can do on the page, and the state that follows from it. Knows no elements. */
 
 import { Cancelled, EngineClient } from "../engine/client";
-import type { ExportFormat, Finished, Frame, Ink, News, Picture, SettingValues, Target, View } from "../engine/protocol";
+import type { ExportFormat, Finished, Frame, Ink, News, Picture, SettingRow, SettingValues, Target, View } from "../engine/protocol";
 import type { WireShape } from "../embed/shape";
 import { linkTo } from "./link";
 import { readPicture } from "./picture";
 import { Store } from "./store";
-import { asSentence, explain } from "./words";
+import { asSentence, explain, placement } from "./words";
 
 export const SLOTS = ["front", "side", "top"] as const;
 export type Slot = (typeof SLOTS)[number];
@@ -17,6 +17,8 @@ export interface Pad {
   /** What the core sees in it. */
   readonly ink: Ink | null;
   readonly note: string;
+  /** Where its drawing went in the last run, in words, if not simply where it was put. */
+  readonly placed: string;
   /** What was wrong with the last picture that was given; the one before is kept. */
   readonly problem: string;
   readonly busy: boolean;
@@ -45,6 +47,9 @@ export interface StudioState {
   readonly finished: Finished | null;
   /** Where the wire on the stage is from. */
   readonly source: "none" | "example" | "run" | "link";
+  /** The core's settings table, once it is loaded. */
+  readonly rows: readonly SettingRow[];
+  /** What differs from the defaults. */
   readonly settings: SettingValues;
   readonly problem: string;
   /** A short word about what was just done, such as "Link copied". */
@@ -59,7 +64,7 @@ export interface WireFile {
   readonly views: readonly View[];
 }
 
-const EMPTY_PAD: Pad = { picture: null, ink: null, note: "", problem: "", busy: false };
+const EMPTY_PAD: Pad = { picture: null, ink: null, note: "", placed: "", problem: "", busy: false };
 const READY: Progress = { words: "", share: 0, secondsLeft: null };
 
 export class Studio {
@@ -73,6 +78,7 @@ export class Studio {
     notes: [],
     finished: null,
     source: "none",
+    rows: [],
     settings: { preset: "best", bend: "little" },
     problem: "",
     said: "",
@@ -81,6 +87,15 @@ export class Studio {
   private readonly wireListeners = new Set<(wire: WireShape | null) => void>();
   private wire: WireShape | null = null;
   private fitStartMs = 0;
+  /** The pads whose pictures the present run was given, in its order. */
+  private given: readonly Slot[] = [];
+
+  constructor() {
+    this.engine.call("settings", {}).then(
+      (rows) => this.store.set({ rows }),
+      (error: unknown) => this.store.set({ problem: explain(error, "The engine") }),
+    );
+  }
 
   /** The wire changes too often for the store. */
   followWire(listener: (wire: WireShape | null) => void): () => void {
@@ -96,7 +111,7 @@ export class Studio {
       const { width, height, rgba, note } = await readPicture(file, name);
       const picture: Picture = { name: slot, width, height, rgba };
       const ink = await this.engine.call("read", { picture: { ...picture, name }, settings: this.store.get().settings });
-      this.setPad(slot, { picture, ink, note, busy: false });
+      this.setPad(slot, { picture, ink, note, placed: "", busy: false });
     } catch (error) {
       this.setPad(slot, { busy: false, problem: explain(error, name) });
     }
@@ -113,7 +128,8 @@ export class Studio {
   async run(): Promise<void> {
     const { pads, phase, settings } = this.store.get();
     if (phase !== "idle") return;
-    const pictures = SLOTS.map((slot) => pads[slot].picture).filter((picture) => picture !== null);
+    this.given = SLOTS.filter((slot) => pads[slot].picture);
+    const pictures = this.given.map((slot) => pads[slot].picture!);
     if (pictures.length < 2) {
       this.store.set({ problem: "A wire needs at least two drawings. Put one into another pad, then press Run." });
       return;
@@ -236,6 +252,10 @@ export class Studio {
           phase: "running",
           source: "run",
         });
+        for (const target of news.targets) {
+          const slot = this.given[target.source];
+          if (slot) this.setPad(slot, { placed: placement(slot, target) });
+        }
         break;
       case "frame":
         this.hearFrame(news.frame);

@@ -89,8 +89,9 @@ export class DrawingPad extends LitElement {
         .empty span {
           display: none;
         }
-        .line:empty {
-          display: none;
+        /* Two lines, so that nothing jumps when a run says where the drawing went. */
+        .line {
+          min-height: 37px;
         }
       }
       @media (pointer: coarse) {
@@ -129,7 +130,7 @@ export class DrawingPad extends LitElement {
           ? nothing
           : html`<span class="empty">${icons.picture}<span>${pad.busy ? "Reading…" : "Choose, drop or paste a picture"}</span></span>`}
       </button>
-      <p id="line" class="line ${pad.problem ? "problem" : ""}" role=${pad.problem ? "alert" : nothing}>${pad.problem || pad.note}</p>
+      <p id="line" class="line ${pad.problem ? "problem" : ""}" role=${pad.problem ? "alert" : nothing}>${pad.problem || pad.placed || pad.note}</p>
       <input type="file" accept="image/*" hidden tabindex="-1" @change=${this.chosen} />
     `;
   }

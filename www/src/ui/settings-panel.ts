@@ -1,23 +1,19 @@
-import { css, html, LitElement } from "lit";
+import { css, html, LitElement, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { SettingValues } from "../engine/protocol";
+import type { SettingRow, SettingValues } from "../engine/protocol";
 import { controls } from "./shared";
 
-interface Choice {
-  readonly name: string;
-  readonly label: string;
-  readonly options: readonly (readonly [value: string, label: string])[];
-}
-
-/** Words for the two settings that matter most; names and values are those of the core's table. */
-const CHOICES: readonly Choice[] = [
-  { name: "preset", label: "Quality", options: [["fast", "Quick sketch"], ["best", "Best wire"], ["paper", "As in the paper"]] },
-  { name: "bend", label: "Bend the drawings to agree", options: [["none", "Not at all"], ["little", "A little"], ["free", "Freely"]] },
-];
+/** Friendlier words for the settings that matter most, in the order they are shown; ranges come from the core's table. */
+const SHOWN: Readonly<Record<string, { label: string; words: Readonly<Record<string, string>> }>> = {
+  preset: { label: "Quality", words: { fast: "Quick sketch", best: "Best wire", paper: "As in the paper" } },
+  bend: { label: "Bend the drawings to agree", words: { none: "Not at all", little: "A little", free: "Freely" } },
+};
 
 /** The main settings. Fires `choose` with a name and a value. */
 @customElement("settings-panel")
 export class SettingsPanel extends LitElement {
+  /** The core's table; until it is there, the choices are those that have words. */
+  @property({ attribute: false }) rows: readonly SettingRow[] = [];
   @property({ attribute: false }) values: SettingValues = {};
   @property({ type: Boolean }) locked = false;
 
@@ -53,14 +49,17 @@ export class SettingsPanel extends LitElement {
   ];
 
   override render() {
-    return CHOICES.map(
-      ({ name, label, options }) => html`<label>
+    return Object.entries(SHOWN).map(([name, { label, words }]) => {
+      const row = this.rows.find((row) => row.name === name);
+      return html`<label title=${row?.help ?? nothing}>
         ${label}
         <select name=${name} ?disabled=${this.locked} @change=${(event: Event) => this.change(name, (event.target as HTMLSelectElement).value)}>
-          ${options.map(([value, text]) => html`<option value=${value} ?selected=${this.values[name] === value}>${text}</option>`)}
+          ${(row?.choices ?? Object.keys(words)).map(
+            (value) => html`<option value=${value} ?selected=${this.values[name] === value}>${words[value] ?? value}</option>`,
+          )}
         </select>
-      </label>`,
-    );
+      </label>`;
+    });
   }
 
   private change(name: string, value: string): void {

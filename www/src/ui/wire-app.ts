@@ -189,7 +189,7 @@ export class WireApp extends LitElement {
   ];
 
   override render() {
-    const { pads, phase, losses, finished, targets, views, notes, settings, problem } = this.now;
+    const { pads, phase, losses, finished, targets, views, notes, rows, settings, problem } = this.now;
     const idle = phase === "idle";
     return html`
       <header>
@@ -236,6 +236,7 @@ export class WireApp extends LitElement {
         <section>
           <h2>Settings</h2>
           <settings-panel
+            .rows=${rows}
             .values=${settings}
             ?locked=${!idle}
             @choose=${(event: CustomEvent<[string, string]>) => this.studio.set(...event.detail)}
