@@ -221,6 +221,8 @@ settings! {
     form: Form = Form::Spline, "", Choice { choices: FORMS };
     Wire /// Control points of the first wire; 0 lets the start choose.
     control_points: usize = 0, "points", Integer { min: 0, max: 20_000 };
+    Wire /// Distance between control points where the start chooses their number.
+    spacing: f64 = 2.0, "px at 256", Number { min: 0.5, max: 64.0 };
     Wire /// Thinnest the wire may get, as seen in a picture of 256 px.
     min_width: f64 = 1.0, "px at 256", Number { min: 0.0, max: 64.0 };
     Wire /// Thickest the wire may get, as seen in a picture of 256 px.
@@ -276,7 +278,7 @@ impl Settings {
         let best = Settings::default();
         match preset {
             Preset::Best => best,
-            Preset::Fast => Settings { preset, iterations: 220, coarse_share: 0.8, grid: 64, ..best },
+            Preset::Fast => Settings { preset, iterations: 220, coarse_share: 0.8, grid: 64, spacing: 3.5, ..best },
             Preset::Paper => Settings {
                 preset,
                 iterations: 900,

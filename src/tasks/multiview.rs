@@ -144,7 +144,7 @@ impl Plan {
         let px = self.world_per_px_256();
         let path = self.first_path(targets, settings, progress)?;
         let wire = match settings.control_points {
-            0 => start::wire_along(&path, CONTROL_SPACING_PX * px)?,
+            0 => start::wire_along(&path, settings.spacing * px)?,
             count => start::wire_with(&path, count)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
@@ -176,9 +176,6 @@ impl Plan {
     }
 }
 
-/// Distance between control points along the first wire, px at 256. The prototype had 4; on six triples 4, 3, 2.4 and 2
-/// gave soft IoU .789, .803, .811 and .81 after the same short fit, on a grid of 96 voxels.
-const CONTROL_SPACING_PX: f64 = 2.0;
 /// The paper's largest number of points.
 const BALL_POINTS: usize = 220;
 
