@@ -56,14 +56,6 @@ export interface StudioState {
   readonly said: string;
 }
 
-/** What the page reads of a wire.json. */
-export interface WireFile {
-  readonly closed: boolean;
-  readonly knots: readonly number[];
-  readonly control_points: readonly (readonly number[])[];
-  readonly views: readonly View[];
-}
-
 const EMPTY_PAD: Pad = { picture: null, ink: null, note: "", placed: "", problem: "", busy: false };
 const READY: Progress = { words: "", share: 0, secondsLeft: null };
 
@@ -175,22 +167,15 @@ export class Studio {
     }
   }
 
-  /** Shows a wire that was made before, until there is another. */
-  showExample({ closed, knots, control_points, views }: WireFile): void {
-    if (this.wire) return;
-    this.showWire({ closed, knots, controlPoints: Float32Array.from(control_points.flat()) });
-    const said = "An example, made from these three drawings. Run makes it again.";
-    this.store.set({ views, source: "example", said });
-  }
-
-  /** Shows the wire a link carries. */
-  async open(code: string): Promise<void> {
+  /** Shows the wire that a code carries, unless another has been made meanwhile. */
+  async open(code: string, source: "link" | "example"): Promise<void> {
     try {
       const finished = await this.engine.call("open", { code });
       if (this.store.get().phase !== "idle") return;
       this.showWire(finished.wire);
       const { views, targets } = finished;
-      this.store.set({ finished, source: "link", views, targets, losses: [], notes: [], problem: "", said: "" });
+      const said = source === "example" ? "An example, made from these three drawings. Run makes it again." : "";
+      this.store.set({ finished, source, views, targets, losses: [], notes: [], problem: "", said });
     } catch (error) {
       this.store.set({ problem: explain(error, "The link") });
     }

@@ -1,12 +1,13 @@
 /**
- * What a first visit shows: three drawings, and the wire that `wire4d multiview` made of them with its usual settings.
+ * What a first visit shows: three drawings, and the wire made of them with the usual settings, as a share code
+ * (`wire4d multiview`, then `wire4d share`).
  */
 
 import front from "../../../tests/drawings/t01-animals/front.png?url";
 import side from "../../../tests/drawings/t01-animals/side.png?url";
 import top from "../../../tests/drawings/t01-animals/top.png?url";
-import wire from "./example.wire.json?url";
+import code from "./example.code?url";
 import type { Slot } from "../state/studio";
 
 export const EXAMPLE: Readonly<Record<Slot, string>> = { front, side, top };
-export const EXAMPLE_WIRE = wire;
+export const EXAMPLE_CODE = code;

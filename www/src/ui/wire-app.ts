@@ -2,13 +2,13 @@ import { css, html, LitElement, nothing } from "lit";
 import { customElement, query, queryAll, state } from "lit/decorators.js";
 import type { ExportFormat } from "../engine/protocol";
 import { codeFrom } from "../state/link";
-import { SLOTS, Studio, type Slot, type StudioState, type WireFile } from "../state/studio";
+import { SLOTS, Studio, type Slot, type StudioState } from "../state/studio";
 import "../view/loss-curve";
 import "../view/match-panels";
 import type { MatchPanels } from "../view/match-panels";
 import type { DrawingPad } from "./drawing-pad";
 import "./drawing-pad";
-import { EXAMPLE, EXAMPLE_WIRE } from "./example";
+import { EXAMPLE, EXAMPLE_CODE } from "./example";
 import { icons } from "./icons";
 import "./run-panel";
 import "./settings-panel";
@@ -189,7 +189,7 @@ export class WireApp extends LitElement {
   ];
 
   override render() {
-    const { pads, phase, losses, finished, targets, views, notes, rows, settings, problem } = this.now;
+    const { pads, phase, losses, finished, targets, views, notes, rows, source, settings, problem } = this.now;
     const idle = phase === "idle";
     return html`
       <header>
@@ -222,7 +222,7 @@ export class WireApp extends LitElement {
             .targets=${targets}
             .shares=${new Map(finished?.measures.views.map((view) => [view.name, match(view)]))}
           ></match-panels>
-          <p class="verdict" aria-live="polite">${finished ? verdict(finished) : notes.join(" ")}</p>
+          <p class="verdict" aria-live="polite">${finished && source !== "example" ? verdict(finished) : notes.join(" ")}</p>
           <loss-curve .losses=${losses}></loss-curve>
         </section>
         <section>
@@ -282,13 +282,13 @@ export class WireApp extends LitElement {
 
   private openLink(): boolean {
     const code = codeFrom(location.hash);
-    if (code !== null) void this.studio.open(code);
+    if (code !== null) void this.studio.open(code, "link");
     return code !== null;
   }
 
   private async showExample(): Promise<void> {
-    const response = await fetch(EXAMPLE_WIRE);
-    if (response.ok) this.studio.showExample((await response.json()) as WireFile);
+    const response = await fetch(EXAMPLE_CODE);
+    if (response.ok) await this.studio.open((await response.text()).trim(), "example");
   }
 
   private async giveExample(slot: Slot): Promise<void> {

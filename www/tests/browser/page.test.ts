@@ -53,7 +53,9 @@ describe("a visit", () => {
     visited = await visit(browser, site.url);
     await padsReady(visited.page);
     expect(await visited.page.getByRole("button", { name: "Run" }).isEnabled()).toBe(true);
-    expect(await visited.page.getByRole("button", { name: "Copy link" }).isEnabled()).toBe(false);
+    // …and a wire made of them before, which can be taken along.
+    await visited.page.getByText("An example, made from these three drawings.").waitFor();
+    expect(await visited.page.getByRole("button", { name: "Copy link" }).isEnabled()).toBe(true);
     expect(await visited.page.locator("select[name=preset] option").allTextContents()).toEqual(["Best wire", "Quick sketch", "As in the paper"]);
     await shoot(visited.page, "first-visit");
   });
