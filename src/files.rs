@@ -1,15 +1,27 @@
-//! Files are written whole or not at all.
+//! Files are read up to a limit, and written whole or not at all.
 
 use crate::{Error, Result};
-use std::{fs, io::Write, path::Path};
+use std::io::{self, Read, Write};
+use std::{fs, path::Path};
+
+/// All bytes of a file, or `None` if there are more than `most`: also for pipes and devices, whose size nobody knows.
+///
+/// # Errors
+/// As the file system's.
+pub fn read_at_most(path: &Path, most: usize) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(most as u64 + 1).read_to_end(&mut bytes)?;
+    Ok((bytes.len() <= most).then_some(bytes))
+}
 
 /// Writes `bytes` to `path` through a file beside it that is renamed at the end: a reader sees the old file or the
 /// whole new one, and a failure leaves nothing behind.
 ///
 /// # Errors
-/// [`Error::Output`] if the folder is missing or cannot be written, the disk is full…
+/// [`Error::Input`] if the path names a folder, or one that is missing or closed to us; [`Error::Output`] if the disk is
+/// full…
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    let fail = |problem: String, remedy: &str| Error::output(path.display().to_string(), problem, remedy);
+    let fail = |problem: String, remedy: &str| Error::input(path.display().to_string(), problem, remedy);
     let Some(name) = path.file_name() else {
         return Err(fail("is not a file name".into(), "give a file to write to"));
     };
@@ -27,7 +39,14 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     write().map_err(|problem| {
         // Nothing to clean up if it was never made, and nothing more to say if that fails too.
         let _ = fs::remove_file(&beside);
-        fail(format!("cannot be written ({problem})"), "choose a folder that exists and can be written to")
+        let words = format!("cannot be written ({problem})");
+        use io::ErrorKind::{NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem};
+        match problem.kind() {
+            NotFound | PermissionDenied | NotADirectory | ReadOnlyFilesystem => {
+                fail(words, "choose a folder that exists and can be written to")
+            }
+            _ => Error::output(path.display().to_string(), words, "make room or choose another folder"),
+        }
     })
 }
 

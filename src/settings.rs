@@ -128,8 +128,6 @@ choices! {
         None = "none",
         /// Only the top view.
         Top = "top",
-        /// All of them.
-        All = "all",
     }
     /// On or off, for the flags that say so.
     OnOff {
@@ -283,6 +281,8 @@ impl Settings {
                 preset,
                 iterations: 900,
                 control_points: 220,
+                arrange: OnOff::Off,
+                min_stroke: 0.0,
                 min_width: 0.0,
                 max_width: 5.0,
                 start: Start::Ball,

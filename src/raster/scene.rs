@@ -107,10 +107,13 @@ pub use runner::{SceneJob, run};
 #[cfg(feature = "cli")]
 mod runner {
     use super::*;
-    use crate::files::write_whole;
+    use crate::files::{read_at_most, write_whole};
     use crate::raster::npy;
     use std::path::{Path, PathBuf};
     use std::time::Instant;
+
+    /// A target of the largest size in 8-byte numbers fits.
+    const MOST_FILE_BYTES: usize = (8 * MOST_PIXELS_A_SIDE * MOST_PIXELS_A_SIDE) + 4096;
 
     /// What `wire4d raster` is asked to do.
     #[derive(Debug, Clone, Default)]
@@ -214,9 +217,10 @@ mod runner {
     }
 
     fn read(path: &Path) -> Result<Vec<u8>> {
-        std::fs::read(path).map_err(|problem| {
+        let bytes = read_at_most(path, MOST_FILE_BYTES).map_err(|problem| {
             Error::input(name_of(path), format!("cannot be read ({problem})"), "check the name and that it may be read")
-        })
+        })?;
+        bytes.ok_or_else(|| Error::input(name_of(path), "is larger than any scene or target", "give another file"))
     }
 
     fn read_target(path: &Path, size: usize) -> Result<Image> {

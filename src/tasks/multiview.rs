@@ -51,6 +51,8 @@ pub struct Plan {
     pub coverable: Vec<Coverable>,
     /// Names of the drawings as given.
     sources: Vec<String>,
+    /// Whether the drawings were placed where they say instead of arranged.
+    placed: bool,
 }
 
 /// When less than this share of a drawing can be shown, the person is told.
@@ -86,11 +88,12 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
         .iter()
         .map(|drawing| start::Drawing { name: drawing.name.clone(), ink: drawing.ink.clone() })
         .collect();
-    let mut arrangement = if drawings.iter().all(|drawing| drawing.seen_from.is_none()) {
-        start::arrange(&named, &options)?
-    } else {
+    let placed = drawings.iter().any(|drawing| drawing.seen_from.is_some());
+    let mut arrangement = if placed {
         let views = drawings.iter().map(|drawing| drawing.seen_from.clone()).collect::<Vec<_>>();
         start::place(&named, &views, settings.size)?
+    } else {
+        start::arrange(&named, &options)?
     };
     let min_stroke_px = settings.min_stroke * settings.size as f64 / 256.0;
     if min_stroke_px > 0.0 {
@@ -100,7 +103,7 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     }
     let coverable = start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?;
     let sources = drawings.iter().map(|drawing| drawing.name.clone()).collect();
-    Ok(Plan { arrangement, coverable, sources })
+    Ok(Plan { arrangement, coverable, sources, placed })
 }
 
 impl Plan {
@@ -113,6 +116,9 @@ impl Plan {
     /// What a person should know before the run, in plain words.
     pub fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
+        if self.placed {
+            notes.push("Some pictures are seen from sides of their own: all are placed as given, not arranged".into());
+        }
         for ((target, placement), coverable) in
             self.arrangement.targets.iter().zip(&self.arrangement.placements).zip(&self.coverable)
         {
@@ -144,6 +150,8 @@ impl Plan {
         let px = self.world_per_px_256();
         let path = self.first_path(targets, settings, progress)?;
         let wire = match settings.control_points {
+            // The points of the tour are the control points (the paper's choice).
+            _ if settings.start == Start::Ball => Wire::open_uniform(path.points)?,
             0 => start::wire_along(&path, settings.spacing * px)?,
             count => start::wire_with(&path, count)?,
         };

@@ -18,6 +18,8 @@ pub struct Picture {
     width: usize,
     height: usize,
     rgba: Vec<u8>,
+    /// Width and height before it was averaged down.
+    given: [usize; 2],
 }
 
 /// Which of two shades is the drawing.
@@ -48,9 +50,14 @@ impl Picture {
             let problem = format!("{} bytes of colour for {width} x {height} px", rgba.len());
             return Err(Error::picture(name, problem, "give four bytes a pixel"));
         }
-        let picture = Picture { name, width, height, rgba };
+        let picture = Picture { name, width, height, rgba, given: [width, height] };
         let factor = width.max(height).div_ceil(MAX_PICTURE_PX);
         Ok(if factor > 1 { picture.averaged(factor) } else { picture })
+    }
+
+    /// The width and height it came with, if it was averaged down from a larger picture.
+    pub fn shrunk_from(&self) -> Option<[usize; 2]> {
+        (self.given != [self.width, self.height]).then_some(self.given)
     }
 
     /// File or pad name as the person knows it.
@@ -96,7 +103,7 @@ impl Picture {
                 rgba.push(((sums[3] + count / 2) / count) as u8);
             }
         }
-        Picture { name: self.name.clone(), width, height, rgba }
+        Picture { name: self.name.clone(), width, height, rgba, given: self.given }
     }
 
     /// Luma (BT.709 weights on the encoded values: antialiasing mixes those) and alpha of each pixel, 0 to 1.
@@ -440,7 +447,8 @@ mod tests {
         let small = Picture::new("a", width, height, rgba).unwrap();
         assert_eq!((small.width(), small.height()), (1500, 4));
         assert_eq!(small.rgba()[..4], [85, 10, 20, 255]);
-        let two = Picture { name: "b".into(), width: 2, height: 1, rgba: vec![200, 0, 0, 255, 0, 0, 0, 0] };
+        let two =
+            Picture { name: "b".into(), width: 2, height: 1, rgba: vec![200, 0, 0, 255, 0, 0, 0, 0], given: [2, 1] };
         assert_eq!(two.averaged(2).rgba, [200, 0, 0, 128], "transparent black does not darken");
     }
 }

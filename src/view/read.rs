@@ -1,12 +1,14 @@
 //! Picture files: PNG (8 and 16 bits), JPEG and WebP, turned upright as their EXIF data say.
 
 use super::{Picture, picture::check_size};
+use crate::files::read_at_most;
 use crate::{Error, Result};
 use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
-use std::{fs, io::Cursor, path::Path};
+use std::io::{self, Cursor};
+use std::path::Path;
 
 /// Largest file that is opened.
-const MAX_FILE_BYTES: u64 = 256 << 20;
+const MAX_FILE_BYTES: usize = 256 << 20;
 
 /// Most memory a decoder may take, in bytes.
 const MAX_DECODER_BYTES: u64 = 512 << 20;
@@ -20,18 +22,19 @@ const FORMATS: &str = "use a PNG, JPEG or WebP picture";
 /// the size is looked at before memory is taken for it.
 pub fn read_picture(path: &Path) -> Result<Picture> {
     let name = path.display().to_string();
-    let unreadable = |problem: std::io::Error| {
+    let unreadable = |problem: io::Error| {
         Error::picture(&name, format!("cannot be read ({problem})"), "check the name and that you may read it")
     };
-    let about = fs::metadata(path).map_err(unreadable)?;
-    if about.is_dir() {
+    if path.is_dir() {
         return Err(Error::picture(name, "is a folder", "give a picture file"));
     }
-    if about.len() > MAX_FILE_BYTES {
-        let problem = format!("is a file of {} MB", about.len() >> 20);
-        return Err(Error::picture(name, problem, "use a smaller picture, 2048 px a side are plenty"));
+    match read_at_most(path, MAX_FILE_BYTES).map_err(unreadable)? {
+        Some(bytes) => decode_picture(&name, &bytes),
+        None => {
+            let problem = format!("is a file of more than {} MB", MAX_FILE_BYTES >> 20);
+            Err(Error::picture(name, problem, "use a smaller picture, 2048 px a side are plenty"))
+        }
     }
-    decode_picture(&name, &fs::read(path).map_err(unreadable)?)
 }
 
 /// Decodes the bytes of a picture file; `name` is for messages.

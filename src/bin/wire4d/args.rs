@@ -28,7 +28,7 @@ pub fn command() -> Command {
                         .value_name("PICTURE@AZIMUTH,ELEVATION")
                         .action(ArgAction::Append)
                         .allow_hyphen_values(true)
-                        .help("One more picture, seen from this direction in degrees"),
+                        .help("One more picture, seen from this direction in degrees; all pictures are then placed as given"),
                 )
                 .arg(file("out", "Folder to make for the wire, its pictures and the report").long("out").required(true))
                 .arg(

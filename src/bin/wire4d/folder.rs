@@ -8,6 +8,8 @@ use wire4d::{Error, Result};
 pub struct Folder {
     place: PathBuf,
     partial: PathBuf,
+    /// Folders above it that had to be made, outermost first.
+    made_above: Vec<PathBuf>,
     finished: bool,
 }
 
@@ -39,11 +41,20 @@ impl Folder {
         let Some(last) = place.file_name() else {
             return Err(Error::input(name, "is no name for a folder", "give another --out"));
         };
+        let mut made_above: Vec<PathBuf> =
+            parent.ancestors().take_while(|above| !above.exists()).map(Path::to_owned).collect();
+        made_above.reverse();
         let partial = parent.join(format!(".{}.partial-{}", last.to_string_lossy(), std::process::id()));
-        fs::create_dir_all(&partial).map_err(|error| {
+        let folder = Folder { place: place.to_owned(), partial, made_above, finished: false };
+        fs::create_dir_all(&folder.partial).map_err(|error| {
             Error::input(&name, format!("cannot be made ({error})"), "give another --out that you may write to")
         })?;
-        Ok(Folder { place: place.to_owned(), partial, finished: false })
+        Ok(folder)
+    }
+
+    /// Where files wait until [`Folder::finish`].
+    pub fn partial(&self) -> &Path {
+        &self.partial
     }
 
     /// Adds a file.
@@ -51,16 +62,22 @@ impl Folder {
         fs::write(self.partial.join(name), bytes).map_err(|error| unwritable(&self.place.join(name), &error))
     }
 
-    /// Moves everything to its final place.
+    /// Moves everything to its final place. What an earlier run left there goes only once the new folder stands.
     pub fn finish(mut self) -> Result<()> {
-        if self.place.is_dir() {
-            for entry in fs::read_dir(&self.partial).map_err(|error| unwritable(&self.place, &error))?.flatten() {
-                fs::rename(entry.path(), self.place.join(entry.file_name()))
-                    .map_err(|error| unwritable(&self.place, &error))?;
+        let aside = self.partial.with_extension("replaced");
+        let replaces = self.place.is_dir();
+        if replaces {
+            fs::rename(&self.place, &aside).map_err(|error| unwritable(&self.place, &error))?;
+        }
+        if let Err(error) = fs::rename(&self.partial, &self.place) {
+            if replaces {
+                let _ = fs::rename(&aside, &self.place);
             }
-        } else {
-            fs::rename(&self.partial, &self.place).map_err(|error| unwritable(&self.place, &error))?;
-            self.finished = true;
+            return Err(unwritable(&self.place, &error));
+        }
+        self.finished = true;
+        if replaces {
+            let _ = fs::remove_dir_all(&aside);
         }
         Ok(())
     }
@@ -70,6 +87,10 @@ impl Drop for Folder {
     fn drop(&mut self) {
         if !self.finished {
             let _ = fs::remove_dir_all(&self.partial);
+            // Only empty folders go this way.
+            for made in self.made_above.iter().rev() {
+                let _ = fs::remove_dir(made);
+            }
         }
     }
 }

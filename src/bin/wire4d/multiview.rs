@@ -24,15 +24,29 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let stop = Arc::new(AtomicBool::new(false));
     let seen = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the program at once, which loses nothing but the run.
-    let _ = ctrlc::set_handler(move || seen.store(true, Ordering::Relaxed));
-    let bar = progress_bar(matches.get_flag("quiet"));
+    let partial = folder.partial().to_owned();
+    // Ctrl-C stops the run and keeps what there is; a second one ends the program. Without a handler the first does.
+    let _ = ctrlc::set_handler(move || {
+        if seen.swap(true, Ordering::Relaxed) {
+            let _ = std::fs::remove_dir_all(&partial);
+            std::process::exit(130);
+        }
+    });
+    let quiet = matches.get_flag("quiet");
+    let bar = progress_bar(quiet);
+    // Also where no bar is drawn: in a script or a log.
+    let say = |note: &str| {
+        if bar.is_hidden() && !quiet {
+            eprintln!("{note}");
+        }
+        bar.println(note);
+    };
 
     let begin = Instant::now();
     bar.set_message("Arranging the drawings");
     let plan = multiview::plan(&drawings, &settings)?;
     for note in plan.notes() {
-        bar.println(note);
+        say(&note);
     }
     bar.set_message(format!("Finding a first wire ({:.0}% of the ink can be shown)", 100.0 * plan.mean_coverable()));
     let mut run = Run::start(plan, &settings, &mut |share| {
@@ -79,7 +93,7 @@ fn save(folder: &Folder, run: &Run, report: &Report) -> Result<()> {
         }
     }
     let text = serde_json::to_string_pretty(report)
-        .map_err(|error| Error::output("report.json", error.to_string(), "this is a fault of the program"))?;
+        .map_err(|error| Error::output("report.json", error.to_string(), "report this, it should not happen"))?;
     folder.write("report.json", text.as_bytes())
 }
 
@@ -96,6 +110,9 @@ fn drawings(matches: &ArgMatches, settings: &Settings) -> Result<Vec<Drawing>> {
 
 fn drawing(path: &Path, direction: Option<ViewSpec>, settings: &Settings) -> Result<Drawing> {
     let picture = read_picture(path)?;
+    if let Some([width, height]) = picture.shrunk_from() {
+        eprintln!("{}: {width} x {height} px is more than is needed, scaled down", path.display());
+    }
     Drawing::new(&picture, direction, settings)
 }
 

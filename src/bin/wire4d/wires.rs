@@ -4,14 +4,15 @@ use crate::args;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use wire4d::export::{self, ExportOptions, Format};
-use wire4d::files::write_whole;
+use wire4d::files::{read_at_most, write_whole};
 use wire4d::metrics::ResultReport;
 use wire4d::raster::scene::{self, SceneJob};
 use wire4d::raster::{SELF_CHECK_TOLERANCE, self_check};
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::Drawing;
-use wire4d::view::{GreyDepth, View, ViewSpec, read_picture, write_png};
+use wire4d::view::{GreyDepth, MAX_PICTURE_PX, View, ViewSpec, read_picture, write_png};
+use wire4d::wire::MAX_CONTROL_POINTS;
 use wire4d::{Error, Result};
 
 /// `wire4d render`.
@@ -97,7 +98,7 @@ pub fn raster(matches: &ArgMatches) -> Result<()> {
 pub fn device(_: &ArgMatches) -> Result<()> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     println!("backend: cpu, {} with {threads} threads (no GPU engine is built in yet)", std::env::consts::ARCH);
-    println!("limits: 20,000 control points, pictures of 2,048 px a side");
+    println!("limits: {MAX_CONTROL_POINTS} control points, pictures of {MAX_PICTURE_PX} px a side");
     let difference = self_check();
     if difference > SELF_CHECK_TOLERANCE {
         return Err(Error::Output {
@@ -112,7 +113,7 @@ pub fn device(_: &ArgMatches) -> Result<()> {
 
 fn print_json<T: serde::Serialize>(value: &T) -> Result<()> {
     let text = serde_json::to_string_pretty(value)
-        .map_err(|error| Error::output("report", error.to_string(), "this is a fault of the program"))?;
+        .map_err(|error| Error::output("report", error.to_string(), "report this, it should not happen"))?;
     println!("{text}");
     Ok(())
 }
@@ -120,13 +121,11 @@ fn print_json<T: serde::Serialize>(value: &T) -> Result<()> {
 fn read_wire(path: &Path) -> Result<Sculpture> {
     let name = path.display().to_string();
     let remedy = "give a wire.json that wire4d wrote";
-    let size =
-        std::fs::metadata(path).map_err(|error| Error::wire(&name, format!("cannot be read ({error})"), remedy))?;
-    if size.len() > sculpture::MAX_FILE_BYTES as u64 {
-        return Err(Error::wire(name, "is larger than any wire", remedy));
+    match read_at_most(path, sculpture::MAX_FILE_BYTES) {
+        Ok(Some(bytes)) => Sculpture::from_json(&name, &bytes),
+        Ok(None) => Err(Error::wire(name, "is larger than any wire", remedy)),
+        Err(error) => Err(Error::wire(name, format!("cannot be read ({error})"), remedy)),
     }
-    let bytes = std::fs::read(path).map_err(|error| Error::wire(&name, format!("cannot be read ({error})"), remedy))?;
-    Sculpture::from_json(&name, &bytes)
 }
 
 fn view_of(made: &Sculpture, matches: &ArgMatches) -> Result<View> {
