@@ -210,7 +210,7 @@ settings! {
     Run /// What computes the fit.
     backend: Backend = Backend::Auto, "", Choice { choices: Backend::WORDS };
     Run /// How many steps the fit takes in all.
-    iterations: usize = 1000, "steps", Integer { min: 1, max: 100_000 };
+    iterations: usize = 1100, "steps", Integer { min: 1, max: 100_000 };
     Run /// Side of the square pictures the wire is fitted to.
     size: usize = 256, "px", Integer { min: 32, max: 2048 };
 
@@ -253,17 +253,17 @@ settings! {
     smoothness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
     Expert /// Step size for positions, in pixels of a 128 px picture.
-    position_rate: f64 = 0.5, "px at 128", Number { min: 1e-4, max: 10.0 };
+    position_rate: f64 = 0.8, "px at 128", Number { min: 1e-4, max: 10.0 };
     Expert /// Step size for widths, in pixels of a 128 px picture.
     width_rate: f64 = 0.24, "px at 128", Number { min: 0.0, max: 10.0 };
     Expert /// How pictures are made coarser for the loss.
     pyramid: Pyramid = Pyramid::Average, "", Choice { choices: Pyramid::WORDS };
     Expert /// Weight of each coarser level of the loss relative to the finer one, at the start.
-    level_weight: f64 = 1.0, "times", Number { min: 0.0, max: 16.0 };
+    level_weight: f64 = 0.5, "times", Number { min: 0.0, max: 16.0 };
     Expert /// Share of the iterations at half size, where each costs a quarter.
-    coarse_share: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 };
+    coarse_share: f64 = 0.55, "of 1", Number { min: 0.0, max: 1.0 };
     Expert /// Exact points on each span of the wire while fitting.
-    samples: usize = 3, "a span", Integer { min: 1, max: 32 };
+    samples: usize = 2, "a span", Integer { min: 1, max: 32 };
     Expert /// Where re-initialised control points go.
     new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS };
     Expert /// Voxels along each side of the grid in which the first wire grows.
@@ -291,6 +291,7 @@ impl Settings {
                 refine: true,
                 samples: 8,
                 pyramid: Pyramid::Gaussian,
+                level_weight: 1.0,
                 coarse_share: 0.0,
                 new_point: NewPoint::Random,
                 ..best

@@ -28,7 +28,7 @@ impl Default for Bending {
             from: 0.2,
             every: 4,
             rate_px: Schedule::Piecewise(vec![[0.0, 0.08], [1.0, 0.0]]),
-            weights: WarpWeights { smooth: 1e-3, magnitude: 5e-5, straight: 0.3 },
+            weights: WarpWeights { smooth: 3e-4, magnitude: 2e-5, straight: 0.3 },
         }
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn recipe(settings: &Settings) -> Recipe {
         settings::Pyramid::Average => Pyramid::AveragePool,
     };
     recipe.level_ratio = Schedule::Constant(settings.level_weight);
-    recipe.position_rate_px = recipe.position_rate_px.scaled(settings.position_rate / 0.5);
+    recipe.position_rate_px = recipe.position_rate_px.scaled(settings.position_rate / 0.8);
     recipe.width_rate_px = recipe.width_rate_px.scaled(settings.width_rate / 0.24);
     recipe.jerk_position = recipe.jerk_position.scaled(settings.smoothness);
     recipe.jerk_width = recipe.jerk_width.scaled(settings.smoothness);
