@@ -292,6 +292,8 @@ impl Settings {
                 samples: 8,
                 pyramid: Pyramid::Gaussian,
                 level_weight: 1.0,
+                position_rate: 0.25,
+                width_rate: 0.03,
                 coarse_share: 0.0,
                 new_point: NewPoint::Random,
                 ..best

@@ -25,13 +25,18 @@ pub(super) fn recipe(settings: &Settings) -> Recipe {
         settings::Pyramid::Average => Pyramid::AveragePool,
     };
     recipe.level_ratio = Schedule::Constant(settings.level_weight);
-    recipe.position_rate_px = recipe.position_rate_px.scaled(settings.position_rate / 0.8);
-    recipe.width_rate_px = recipe.width_rate_px.scaled(settings.width_rate / 0.24);
+    recipe.position_rate_px = starting_at(&recipe.position_rate_px, settings.position_rate);
+    recipe.width_rate_px = starting_at(&recipe.width_rate_px, settings.width_rate);
     recipe.jerk_position = recipe.jerk_position.scaled(settings.smoothness);
     recipe.jerk_width = recipe.jerk_width.scaled(settings.smoothness);
     recipe.bending = bending(settings.bend);
     recipe.topology = topology(settings);
     recipe
+}
+
+/// The same course, beginning with `value`.
+fn starting_at(schedule: &Schedule, value: f64) -> Schedule {
+    schedule.scaled(value / schedule.at(0.0))
 }
 
 /// How the targets bend during the fit.
