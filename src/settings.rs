@@ -221,6 +221,8 @@ settings! {
     control_points: usize = 0, "points", Integer { min: 0, max: 20_000 };
     Wire /// Distance between control points where the start chooses their number.
     spacing: f64 = 2.0, "px at 256", Number { min: 0.5, max: 64.0 };
+    Wire /// Make the first wire shorter: cross over inside strokes instead of walking branches there and back.
+    shorter: bool = false, "", Switch;
     Wire /// Thinnest the wire may get, as seen in a picture of 256 px.
     min_width: f64 = 1.0, "px at 256", Number { min: 0.0, max: 64.0 };
     Wire /// Thickest the wire may get, as seen in a picture of 256 px.

@@ -11,6 +11,7 @@ mod hull;
 mod place;
 mod placing;
 mod plane;
+mod shortcuts;
 mod shortest;
 #[cfg(test)]
 mod testing;

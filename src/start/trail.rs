@@ -1,9 +1,12 @@
 //! From the tree to one trail: every branch is walked there and back (which costs no visible ink and fills strokes with
-//! two strands), except one path from end to end; at forks the trail goes on as straight as it can.
+//! two strands), except one path from end to end; at forks the trail goes on as straight as it can. A shorter trail
+//! takes shortcuts instead of walking back.
 
 use super::Path;
 use super::grid::{Grid, OFF_PICTURE};
+use super::shortcuts::take_shortcuts;
 use super::tree::Tree;
+use std::collections::{HashMap, HashSet};
 
 /// How the tree becomes a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,17 +18,20 @@ pub struct TrailOptions {
     pub width_px_at_128: f64,
     /// Width where some view shows blank paper, px of a 128 px picture.
     pub stray_width_px_at_128: f64,
+    /// Whether to take shortcuts through ink instead of walking branches there and back: the wire gets shorter, but
+    /// fewer strokes have two strands to fill them.
+    pub shorter: bool,
 }
 
 impl Default for TrailOptions {
     fn default() -> Self {
-        TrailOptions { smoothing_steps: 0.6, width_px_at_128: 2.0, stray_width_px_at_128: 0.6 }
+        TrailOptions { smoothing_steps: 0.6, width_px_at_128: 2.0, stray_width_px_at_128: 0.6, shorter: false }
     }
 }
 
 /// The smoothed path along the tree's trail.
 pub fn path_along(grid: &Grid, tree: &Tree, options: &TrailOptions) -> Path {
-    let voxels = voxel_trail(grid, tree);
+    let voxels = voxel_trail(grid, tree, options.shorter);
     let across = grid.plane_size.iter().map(|size| size[1]).max().unwrap_or(64) as f64;
     // World units a pixel of a 128 px picture.
     let pixel_world = grid.spacing_world * across / 128.0;
@@ -70,16 +76,21 @@ pub fn smooth(points: &mut [[f64; 4]], sigma: f64) {
     }
 }
 
-/// The voxels in the order of the trail.
-pub fn voxel_trail(grid: &Grid, tree: &Tree) -> Vec<u32> {
+/// The voxels in the order of the trail, with shortcuts if it should be `shorter`.
+pub fn voxel_trail(grid: &Grid, tree: &Tree, shorter: bool) -> Vec<u32> {
     if tree.edges.is_empty() {
         return vec![tree.root; 2];
     }
-    let graph = Graph::new(grid, tree);
-    let single = graph.longest_path();
-    let mut edges: Vec<[u32; 2]> = graph.edges.clone();
-    edges.extend(graph.edges.iter().zip(&single).filter(|(_, single)| !**single).map(|(edge, _)| *edge));
-    let mut pairing = Pairing::new(&graph, edges);
+    let graph = Graph::new(grid, &tree.edges);
+    let mut twice: Vec<bool> = graph.longest_path().into_iter().map(|once| !once).collect();
+    let shortcuts = if shorter { take_shortcuts(grid, tree, &graph, &mut twice) } else { Vec::new() };
+    // Every step of the trail: the tree's, those walked twice, the shortcuts'.
+    let again = tree.edges.iter().zip(&twice).filter(|(_, twice)| **twice).map(|(edge, _)| *edge);
+    let steps: Vec<[u32; 2]> = tree.edges.iter().copied().chain(again).chain(shortcuts).collect();
+    let mut known = HashSet::with_capacity(steps.len());
+    let distinct: Vec<[u32; 2]> = steps.iter().copied().filter(|&[a, b]| known.insert([a.min(b), a.max(b)])).collect();
+    let graph = Graph::new(grid, &distinct);
+    let mut pairing = Pairing::new(&graph, &steps);
     pairing.join_trails(&graph);
     pairing.walk().into_iter().map(|vertex| graph.voxels[vertex as usize]).collect()
 }
@@ -87,19 +98,20 @@ pub fn voxel_trail(grid: &Grid, tree: &Tree) -> Vec<u32> {
 /// No vertex, edge or end.
 const NONE: u32 = u32::MAX;
 
-/// The tree over its own dense vertex numbers.
-struct Graph {
-    voxels: Vec<u32>,
+/// Steps between voxels over dense vertex numbers.
+pub(super) struct Graph {
+    /// The voxel of each vertex.
+    pub voxels: Vec<u32>,
     positions: Vec<[f64; 3]>,
     edges: Vec<[u32; 2]>,
     /// Edges at each vertex.
-    incident: Vec<Vec<u32>>,
+    pub incident: Vec<Vec<u32>>,
 }
 
 impl Graph {
-    fn new(grid: &Grid, tree: &Tree) -> Graph {
+    fn new(grid: &Grid, steps: &[[u32; 2]]) -> Graph {
         let mut vertex_of = vec![NONE; grid.voxels()];
-        let mut voxels = Vec::with_capacity(tree.edges.len() + 1);
+        let mut voxels = Vec::with_capacity(steps.len() + 1);
         let mut vertex = |voxel: u32| {
             let slot = &mut vertex_of[voxel as usize];
             if *slot == NONE {
@@ -108,7 +120,7 @@ impl Graph {
             }
             *slot
         };
-        let edges: Vec<[u32; 2]> = tree.edges.iter().map(|&[a, b]| [vertex(a), vertex(b)]).collect();
+        let edges: Vec<[u32; 2]> = steps.iter().map(|&[a, b]| [vertex(a), vertex(b)]).collect();
         let mut incident = vec![Vec::new(); voxels.len()];
         for (e, &[a, b]) in edges.iter().enumerate() {
             incident[a as usize].push(e as u32);
@@ -118,17 +130,19 @@ impl Graph {
         Graph { voxels, positions, edges, incident }
     }
 
-    fn across(&self, edge: u32, vertex: u32) -> u32 {
+    /// The edge's other vertex.
+    pub fn across(&self, edge: u32, vertex: u32) -> u32 {
         let [a, b] = self.edges[edge as usize];
         if a == vertex { b } else { a }
     }
 
-    fn length(&self, edge: u32) -> f64 {
+    /// Length of an edge, world units.
+    pub fn length(&self, edge: u32) -> f64 {
         let [a, b] = self.edges[edge as usize].map(|v| self.positions[v as usize]);
         (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Marks the edges of the tree's longest path, the one that need not be walked back.
+    /// Marks the edges of a tree's longest path, the one that need not be walked back.
     fn longest_path(&self) -> Vec<bool> {
         let (far, _) = self.farthest(0);
         let (mut end, back) = self.farthest(far);
@@ -187,20 +201,26 @@ struct Pairing {
 }
 
 impl Pairing {
-    /// Pairs the ends at each vertex, straightest first. `edges` are the graph's own followed by repeats.
-    fn new(graph: &Graph, edges: Vec<[u32; 2]>) -> Pairing {
+    /// Pairs the ends at each vertex, straightest first. `steps` are pairs of voxels that the graph has as edges.
+    fn new(graph: &Graph, steps: &[[u32; 2]]) -> Pairing {
+        let edge_of: HashMap<[u32; 2], u32> = (0u32..)
+            .zip(&graph.edges)
+            .map(|(e, edge)| (edge.map(|vertex| graph.voxels[vertex as usize]), e))
+            .flat_map(|([a, b], e)| [([a, b], e), ([b, a], e)])
+            .collect();
         let mut at = vec![Vec::new(); graph.voxels.len()];
-        let mut direction = Vec::with_capacity(2 * edges.len());
-        let tree_edge =
-            |&[a, b]: &[u32; 2]| *graph.incident[a as usize].iter().find(|&&e| graph.across(e, a) == b).unwrap_or(&0);
-        for (e, edge) in edges.iter().enumerate() {
-            let own = tree_edge(edge);
+        let mut direction = Vec::with_capacity(2 * steps.len());
+        let mut edges = Vec::with_capacity(steps.len());
+        for (k, step) in steps.iter().enumerate() {
+            let own = edge_of[step];
+            let edge = graph.edges[own as usize];
             for side in 0..2 {
-                at[edge[side] as usize].push((2 * e + side) as u32);
+                at[edge[side] as usize].push((2 * k + side) as u32);
                 direction.push(graph.direction(own, edge[side]));
             }
+            edges.push(edge);
         }
-        let mut pairing = Pairing { partner: vec![NONE; 2 * edges.len()], edges, direction, at };
+        let mut pairing = Pairing { partner: vec![NONE; 2 * steps.len()], edges, direction, at };
         let mut pairs = Vec::new();
         for ends in &pairing.at {
             pairs.clear();
@@ -311,7 +331,6 @@ mod tests {
     use super::*;
     use crate::start::testing::letters;
     use crate::start::{TreeOptions, grow_tree};
-    use std::collections::HashMap;
 
     fn walks_all(grid: &Grid, tree: &Tree, trail: &[u32]) -> Result<(), String> {
         let mut times: HashMap<[u32; 2], usize> = tree.edges.iter().map(|&[a, b]| ([a.min(b), a.max(b)], 0)).collect();
@@ -334,7 +353,7 @@ mod tests {
         let targets = letters();
         let grid = Grid::new(&targets, [0.55; 3], 64).unwrap();
         let tree = grow_tree(&grid, &targets, &TreeOptions::default(), &mut |_| true).unwrap();
-        let trail = voxel_trail(&grid, &tree);
+        let trail = voxel_trail(&grid, &tree, false);
         walks_all(&grid, &tree, &trail).unwrap();
         assert!(trail.len() < 2 * tree.edges.len(), "one path is walked only once");
         let mut jumps = trail.clone();
@@ -343,6 +362,30 @@ mod tests {
         let path = path_along(&grid, &tree, &TrailOptions::default());
         assert_eq!(path.points.len(), trail.len());
         assert!(path.points.iter().flatten().all(|x| x.is_finite()));
+    }
+
+    #[test]
+    fn shorter_trail_still_walks_every_edge() {
+        let targets = letters();
+        let grid = Grid::new(&targets, [0.55; 3], 64).unwrap();
+        let tree = grow_tree(&grid, &targets, &TreeOptions::default(), &mut |_| true).unwrap();
+        let neighbours = grid.neighbours();
+        let steps = |trail: &[u32]| -> Result<(f32, HashSet<[u32; 2]>), String> {
+            let mut length = 0.0;
+            for step in trail.windows(2) {
+                let apart = step[1] as isize - step[0] as isize;
+                length += neighbours.iter().find(|n| n.0 == apart).ok_or("a jump")?.1;
+            }
+            Ok((length, trail.windows(2).map(|step| [step[0].min(step[1]), step[0].max(step[1])]).collect()))
+        };
+        let all = |steps: &HashSet<[u32; 2]>| tree.edges.iter().all(|&[a, b]| steps.contains(&[a.min(b), a.max(b)]));
+        let (doubled, short) = (voxel_trail(&grid, &tree, false), voxel_trail(&grid, &tree, true));
+        let ((long_length, _), (short_length, walked)) = (steps(&doubled).unwrap(), steps(&short).unwrap());
+        assert!(short_length < long_length, "{short_length} against {long_length}");
+        assert!(all(&walked), "an edge of the tree is left out");
+        // The checks can fail.
+        assert!(!all(&steps(&short[..short.len() / 2]).unwrap().1));
+        assert!(steps(&[short[0], short[short.len() / 2]]).is_err());
     }
 
     #[test]

@@ -168,7 +168,8 @@ impl Plan {
         match settings.start {
             Start::Tree => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
-                start::tree_path(targets, *half_extents_world, &tree, &TrailOptions::default(), progress)
+                let trail = TrailOptions { shorter: settings.shorter, ..TrailOptions::default() };
+                start::tree_path(targets, *half_extents_world, &tree, &trail, progress)
             }
             Start::Hull => {
                 let hull = HullOptions { across: settings.grid / 2 * 2, ..HullOptions::default() };
