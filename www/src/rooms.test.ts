@@ -1,0 +1,44 @@
+/** The page's rooms know only what they are meant to know. */
+
+import { readdirSync, readFileSync } from "node:fs";
+import { join, relative, resolve } from "node:path";
+import { describe, expect, it } from "vitest";
+
+const SRC = import.meta.dirname;
+/** What each room may import from: itself and the rooms named. */
+const MAY: Readonly<Record<string, readonly string[]>> = {
+  embed: [],
+  engine: ["embed"],
+  state: ["engine", "embed"],
+  view: ["state", "engine", "embed"],
+  ui: ["view", "state", "engine", "embed"],
+};
+
+const imports = (file: string): string[] =>
+  [...readFileSync(file, "utf8").matchAll(/(?:from|import)\s+"(\.[^"]+)"/g)].map((match) => relative(SRC, resolve(file, "..", match[1]!)));
+
+function forbidden(room: string, imported: readonly string[]): string[] {
+  return imported.filter((path) => {
+    const other = path.split("/")[0]!;
+    return other !== room && other !== ".." && !MAY[room]!.includes(other);
+  });
+}
+
+describe.each(Object.keys(MAY))("%s", (room) => {
+  const files = readdirSync(join(SRC, room)).filter((name) => name.endsWith(".ts"));
+
+  it("imports only from rooms below it", () => {
+    expect(files.length).toBeGreaterThan(0);
+    for (const file of files) expect(forbidden(room, imports(join(SRC, room, file)))).toEqual([]);
+  });
+
+  it("leaves the wasm module to engine/core.ts", () => {
+    for (const file of files) {
+      if (room !== "engine" || file !== "core.ts") expect(imports(join(SRC, room, file)).filter((path) => path.includes("wasm"))).toEqual([]);
+    }
+  });
+});
+
+it("would notice an arrow that points upward", () => {
+  expect(forbidden("embed", ["embed/gl", "state/store"])).toEqual(["state/store"]);
+});
