@@ -73,6 +73,7 @@ fn backward_is_the_derivative_of_the_image() {
     }
 }
 
+#[cfg(feature = "threads")]
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
     let mut rng = Rng::new(9, 0);
