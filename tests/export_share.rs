@@ -4,6 +4,7 @@ mod export_support;
 
 use export_support as wires;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use wire4d::Error;
 use wire4d::export::{open_share_code, share_code};
 use wire4d::sculpture::{Sculpture, strands};
@@ -151,7 +152,7 @@ fn bad_codes_get_a_plain_sentence() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 300, rng_seed: RngSeed::Fixed(4), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_text_is_survived(text in ".{0,200}") {

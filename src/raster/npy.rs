@@ -77,6 +77,8 @@ fn field<'a>(header: &'a str, name: &str) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wire::test_wires::few_cases;
+    use proptest::prelude::*;
 
     #[test]
     fn round_trip_and_damage() {
@@ -95,5 +97,41 @@ mod tests {
         let mut nan = bytes.clone();
         nan.splice(bytes.len() - 4.., f32::NAN.to_le_bytes());
         assert!(decode("a.npy", &nan).unwrap_err().to_string().contains("finite"));
+    }
+
+    /// Whatever was read is a picture of the size it says.
+    fn sound(bytes: &[u8]) -> bool {
+        match decode("any.npy", bytes) {
+            Ok(image) => image.data.len() == image.width * image.height && image.data.iter().all(|v| v.is_finite()),
+            Err(error) => error.is_bad_input(),
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 500, ..few_cases() })]
+
+        #[test]
+        fn any_bytes_are_survived(start in 0usize..4, bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+            // From nothing at all to a header that promises two megabytes of numbers.
+            let starts: [&[u8]; 4] = [b"", MAGIC, b"\x93NUMPY\x01\0\x76\0", b"\x93NUMPY\x02\0\xff\xff\x1f\0"];
+            prop_assert!(sound(&[starts[start], &bytes].concat()));
+        }
+
+        #[test]
+        fn any_header_is_survived(
+            descr in prop::sample::select(vec!["<f4", "<f8", "|u1", ">f4", "<f2", ""]),
+            (height, width) in (any::<u64>(), any::<u64>()), small in any::<bool>(),
+            data in prop::collection::vec(any::<u8>(), 0..128),
+        ) {
+            let (height, width) = if small { (height % 5, width % 5) } else { (height, width) };
+            let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({height}, {width}), }}\n");
+            let bytes = [MAGIC, &[1, 0], &(header.len() as u16).to_le_bytes(), header.as_bytes(), &data].concat();
+            prop_assert!(sound(&bytes));
+            // Sibling: with just the data it promises, the header is fine.
+            if small && descr == "|u1" {
+                let whole = [&bytes[..bytes.len() - data.len()], &vec![255; (height * width) as usize]].concat();
+                prop_assert_eq!(decode("any.npy", &whole).unwrap().data, vec![1.0; (height * width) as usize]);
+            }
+        }
     }
 }

@@ -236,6 +236,8 @@ mod runner {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wire::test_wires::few_cases;
+    use proptest::prelude::*;
 
     const ARC: &str = r#"{"bezier_points": [[4, 20], [4, 4], [28, 4], [28, 20]], "bezier_radius": [1, 2, 2, 0.5],
         "closed": false, "size": 32, "note": "unknown fields are fine"}"#;
@@ -277,5 +279,32 @@ mod tests {
             assert!(error.is_bad_input() && error.to_string().starts_with("bad.json: "), "{error}");
         }
         assert!(Scene::from_json("arc.json", ARC.as_bytes()).is_ok());
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 500, ..few_cases() })]
+
+        #[test]
+        fn any_bytes_are_survived(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+            prop_assert!(Scene::from_json("any.json", &bytes).unwrap_err().is_bad_input());
+        }
+
+        #[test]
+        fn damaged_scenes_are_refused_or_can_be_drawn(
+            damage in prop::collection::vec((0..ARC.len(), prop::sample::select(b"0123456789-+.eE[]{},: ".to_vec())), 1..4),
+        ) {
+            let mut bytes = ARC.as_bytes().to_vec();
+            for (at, byte) in damage {
+                bytes[at] = byte;
+            }
+            match Scene::from_json("any.json", &bytes) {
+                Ok(scene) if scene.size <= 512 => {
+                    let mut raster = SceneRaster::new();
+                    prop_assert!(raster.forward(&scene).iter().all(|c| (0.0..=1.0).contains(c)));
+                }
+                Ok(_) => {}
+                Err(error) => prop_assert!(error.is_bad_input()),
+            }
+        }
     }
 }

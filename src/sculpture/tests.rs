@@ -1,6 +1,7 @@
 use super::*;
 use crate::Error;
 use crate::rng::Rng;
+use crate::wire::test_wires::few_cases;
 use proptest::prelude::*;
 
 fn sculpture(seed: u64, count: usize, closed: bool) -> Sculpture {
@@ -103,7 +104,7 @@ fn rendering_shows_the_wire_where_it_is() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig { cases: 200, ..few_cases() })]
     #[test]
     fn any_bytes_are_survived(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
         prop_assert!(Sculpture::from_json("x", &bytes).is_err());

@@ -199,6 +199,7 @@ pub fn parse_placed_picture(text: &str) -> Result<(String, ViewSpec)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wire::test_wires::few_cases;
     use proptest::prelude::*;
 
     fn front() -> View {
@@ -284,7 +285,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(200))]
+        #![proptest_config(ProptestConfig { cases: 200, ..few_cases() })]
         #[test]
         fn no_text_panics(text in ".{0,40}") {
             let _ = text.parse::<ViewSpec>().map(|spec| spec.resolve(&[], 2.2, 16));

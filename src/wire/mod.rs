@@ -233,7 +233,7 @@ fn check_control_points(control_points: &[[f64; 4]]) -> Result<()> {
 }
 
 #[cfg(test)]
-mod test_wires;
+pub(crate) mod test_wires;
 
 #[cfg(test)]
 mod tests {
