@@ -9,7 +9,7 @@ use crate::wire::Real;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Pyramid {
-    /// Gaussian blur (σ 1 px, 5 taps, reflected at the border), then every second pixel: calligraph's version, the one
+    /// Gaussian blur (σ 1 px, 5 taps, reflected at the border), then every second pixel: the multi-scale loss of Berio et al.'s calligraph, the one
     /// the paper builds on.
     #[default]
     Gaussian,

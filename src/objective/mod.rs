@@ -1,6 +1,7 @@
 //! What makes a wire good: image losses over a pyramid, regularisers of the curve, and targets that bend a little.
 
 mod mmse;
+mod net;
 mod regularisers;
 mod straight;
 mod warp;

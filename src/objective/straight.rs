@@ -4,7 +4,7 @@
 //! unit tangent t and normal n, n · ∂²d/∂t² is the curvature that a straight stroke gains. Moving, turning and
 //! stretching along the stroke are free. Corners, ends and tight curves run more than one way and are left alone.
 
-use super::warp::cell;
+use super::net::cell;
 use crate::view::Image;
 use crate::wire::Real;
 

@@ -91,15 +91,9 @@ impl Recipe {
         }
     }
 
-    /// Recognisable in about two seconds.
-    pub fn fast() -> Recipe {
-        let mut recipe = Recipe::best();
-        recipe.set_iterations(220, 0.8);
-        recipe
-    }
-
     /// The paper's settings as far as they are known: 900 iterations at one size, Gaussian pyramid, re-initialisation
-    /// at 150 and 300, refinement at 600. Its rates and weights are not published; these are its authors' release's.
+    /// at 150 and 300, refinement at 600. Its rates and weights are not published: these are of the size its
+    /// authors' published code uses.
     pub fn paper() -> Recipe {
         use super::{Moment, NewPoint, Refine, Reinit, TopologyEdit};
         let reinit = Reinit { new_point: NewPoint::RandomInVolume, ..Reinit::default() };

@@ -69,9 +69,9 @@ pub struct Arrangement {
     pub score: f64,
 }
 
-/// Share of a picture's side that the box's longest side takes: 8% margins, as in the method's prototype.
+/// Share of a picture's side that the box's longest side takes: 8% margins, room for strokes at the border.
 pub(super) const FILLED: f64 = 0.84;
-/// Side of the pictures on which arrangements are compared (method 12.4); at most 64.
+/// Side of the pictures on which arrangements are compared: strokes still tell apart, and rows fit one word; at most 64.
 const COARSE: usize = 48;
 /// Thinnest stroke on those pictures, px.
 const COARSE_STROKE: f32 = 1.2;

@@ -12,7 +12,7 @@ use std::collections::{HashMap, HashSet};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrailOptions {
     /// Standard deviation of the smoothing along the path, steps of the reference grid of 64 voxels. Enough for the
-    /// grid's stairs; more (1.5 in the prototype) pulls small curls flat and costs .01 soft IoU after the fit.
+    /// grid's stairs; more (such as 1.5) pulls small curls flat and costs .01 soft IoU after the fit.
     pub smoothing_steps: f64,
     /// Width where the path shows ink only, px of a 128 px picture.
     pub width_px_at_128: f64,
