@@ -177,7 +177,7 @@ impl Plan {
             }
             Start::Ball => {
                 let count = if settings.control_points == 0 { BALL_POINTS } else { settings.control_points };
-                // Method 11.7: radius 0.8 of the half side, a width that starts at 1.5 px of 512.
+                // A ball well inside the pictures, and a width of 1.5 px of 256 that all views can see.
                 let width_world = 3.0 * height_world / 512.0;
                 Ok(start::ball_path(count, 0.4 * height_world, width_world, false, settings.seed))
             }
