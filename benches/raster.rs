@@ -67,7 +67,8 @@ fn bezier_scenes() {
         let adjoint: Vec<f32> = (0..size * size).map(|_| rng.range(-1.0, 1.0) as f32).collect();
         let (mut raster, mut flat) = (ExactRaster::new(), FlatStroke::new());
         let (mut d_vertices, mut d_control) = (Vec::new(), Vec::new());
-        let (mut forward, mut backward, mut stages) = (Vec::new(), Vec::new(), Vec::<(&str, Vec<f64>)>::new());
+        let (mut forward, mut backward, mut moments) = (Vec::new(), Vec::new(), Vec::new());
+        let mut stages = Vec::<(&str, Vec<f64>)>::new();
         for run in 0..201 {
             let start = Instant::now();
             flat.flatten(&control, true, Subdivision::Tolerance(0.02));
@@ -85,6 +86,9 @@ fn bezier_scenes() {
             raster.backward(&adjoint, &mut d_vertices);
             flat.pull_back(&d_vertices, &mut d_control);
             backward.push(milliseconds(start));
+            let start = Instant::now();
+            flat.pull_back_moments(&raster, &adjoint, &mut d_control);
+            moments.push(milliseconds(start));
         }
         let both = forward.iter().zip(&backward).map(|(f, b)| f + b).collect();
         let ((f, f0), (b, b0), (all, all0)) =
@@ -92,7 +96,8 @@ fn bezier_scenes() {
         let ratio = (diffvg_forward + diffvg_backward) / all;
         let stages: Vec<_> = stages.into_iter().map(|(n, t)| format!("{n} {:.3}", median_and_least(t).0)).collect();
         println!(
-            "| {name} | {f:.3} ({f0:.3}) | {b:.3} ({b0:.3}) | {all:.3} ({all0:.3}) | {ratio:.0} | {} |",
+            "| {name} | {f:.3} ({f0:.3}) | {b:.3} ({b0:.3}) | {all:.3} ({all0:.3}) | {ratio:.0} | {:.3} | {} |",
+            median_and_least(moments).0,
             stages.join(", ")
         );
     }

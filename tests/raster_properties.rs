@@ -39,6 +39,7 @@ fn coverage_is_that_of_the_union() {
         }
         println!("{family}: {wrong} of {pixels} edge pixels off by > 0.1, worst {worst:.3}, longest run {longest}");
         assert!(longest <= 2, "{family}: a leak of {longest} pixels along a row");
+        assert!(wrong * 200 <= pixels, "{family}: {wrong} of {pixels} edge pixels are off by more than 0.1");
         (all_wrong, all_pixels) = (all_wrong + wrong, all_pixels + pixels);
     }
     assert!(all_wrong * 1000 <= all_pixels, "{all_wrong} of {all_pixels} edge pixels are off by more than 0.1");

@@ -30,8 +30,8 @@ pub(super) struct Piece {
     pub has_sides: bool,
 }
 
-/// A piece whose radii differ by more than this share of its length is two discs.
-const STEEPEST: f32 = 0.98;
+/// A piece whose smaller disc sticks out of its larger by less than this (in pixels) is two discs.
+const LEAST_OUTCROP_PX: f32 = 0.01;
 /// Two nodes nearer than this (in pixels) coincide.
 const SHORTEST_PX: f32 = 1e-5;
 
@@ -40,11 +40,13 @@ impl Piece {
         let [dx, dy] = [b.center[0] - a.center[0], b.center[1] - a.center[1]];
         let length = (dx * dx + dy * dy).sqrt();
         let rise = b.radius - a.radius;
-        if length < SHORTEST_PX || rise.abs() >= STEEPEST * length {
+        let outcrop = length - rise.abs();
+        if length < SHORTEST_PX || outcrop < LEAST_OUTCROP_PX.min(0.02 * length) {
             return Piece { length, ..Piece::default() };
         }
         let sine = rise / length;
-        let cosine = (1.0 - sine * sine).sqrt();
+        // 1 - sine^2, without the loss of digits.
+        let cosine = (outcrop / length * (1.0 + sine.abs())).sqrt();
         Piece { axis: [dx / length, dy / length], length, sine, cosine, has_sides: true }
     }
 
