@@ -13,7 +13,13 @@ use crate::wire::Stroke;
 /// Nodes a chunk. Chunks are what threads share out; their number depends on the strokes alone.
 const CHUNK: usize = 128;
 /// Fewer chunks are not worth waking threads for.
+#[cfg(feature = "threads")]
 const LEAST_PARALLEL_CHUNKS: usize = 4;
+/// Nor are fewer pixels, or tasks of fewer rows.
+#[cfg(feature = "threads")]
+const LEAST_PARALLEL_PIXELS: usize = 1 << 16;
+#[cfg(feature = "threads")]
+const ROWS_A_TASK: usize = 32;
 
 /// Exact box-filtered coverage of tapered round strokes, and its exact adjoint.
 ///
@@ -37,8 +43,6 @@ pub struct ExactRaster {
     left: Vec<i32>,
     sums: Vec<i32>,
     coverage: Vec<f32>,
-    /// Adjoint of each piece's start and end disc.
-    d_pieces: Vec<[[f32; 3]; 2]>,
 }
 
 impl ExactRaster {
@@ -98,18 +102,14 @@ impl ExactRaster {
             circles: &self.circles,
             cells: &self.cells,
         };
-        let trace = |chunk: usize, outline: &mut Outline| {
-            outline.trace(&scene, chunk * CHUNK..count.min((chunk + 1) * CHUNK));
-        };
-        for_each(&mut self.outlines[..chunks], LEAST_PARALLEL_CHUNKS, trace);
+        let trace = |chunk: usize, outline: &mut Outline| outline.trace(&scene, nodes_of(chunk, count));
+        for_each(&mut self.outlines[..chunks], trace);
         self.border.trace_left_border(&scene, &mut self.left);
         for outline in &self.outlines[..chunks] {
             rows::add(&outline.sub_edges, &mut self.sums);
         }
         done("outline");
-        for (y, row) in self.coverage.chunks_mut(width).enumerate() {
-            rows::finish(&mut self.sums[y * width..(y + 1) * width], self.left[y], row);
-        }
+        finish_rows(width, &mut self.sums, &self.left, &mut self.coverage);
         self.sums[width * height] = 0;
         done("rows");
         &self.coverage
@@ -128,29 +128,13 @@ impl Raster for ExactRaster {
     fn backward(&mut self, d_coverage: &[f32], d_vertices: &mut Vec<[f32; 3]>) {
         assert_eq!(d_coverage.len(), self.width * self.height, "one adjoint a pixel of the last forward pass");
         let chunks = self.chunks();
-        self.d_pieces.clear();
-        self.d_pieces.resize(self.nodes.len(), [[0.0; 3]; 2]);
-        for outline in &self.outlines[..chunks] {
-            let mut first = 0;
-            for run in &outline.runs {
-                let (mut sum, mut moment) = (0.0f32, 0.0f32);
-                for edge in &outline.sub_edges[first..run.end as usize] {
-                    let weight = d_coverage[edge.pixel as usize] * edge.length_px;
-                    sum += weight;
-                    moment += weight * edge.u;
-                }
-                first = run.end as usize;
-                let [start, end] = &mut self.d_pieces[run.node as usize];
-                let speed = [run.normal[0], run.normal[1], run.radius_weight];
-                for c in 0..3 {
-                    start[c] += (sum - moment) * speed[c];
-                    end[c] += moment * speed[c];
-                }
-            }
-        }
+        let count = self.nodes.len();
+        let pull_back = |chunk: usize, outline: &mut Outline| outline.pull_back(d_coverage, nodes_of(chunk, count));
+        for_each(&mut self.outlines[..chunks], pull_back);
         d_vertices.clear();
         d_vertices.resize(self.vertex_count, [0.0; 3]);
-        for (node, [start, end]) in self.nodes.iter().zip(&self.d_pieces) {
+        let d_pieces = self.outlines[..chunks].iter().flat_map(|outline| &outline.d_pieces);
+        for (node, [start, end]) in self.nodes.iter().zip(d_pieces) {
             let mut add = |vertex: u32, d: &[f32; 3]| {
                 for c in 0..3 {
                     d_vertices[vertex as usize][c] += d[c];
@@ -164,14 +148,30 @@ impl Raster for ExactRaster {
     }
 }
 
-/// Runs `task` on every item with its index; on several threads where that is worth their waking up.
-fn for_each<T: Send>(items: &mut [T], least_parallel: usize, task: impl Fn(usize, &mut T) + Send + Sync) {
+/// The nodes of a chunk, of `count` in all.
+fn nodes_of(chunk: usize, count: usize) -> std::ops::Range<usize> {
+    chunk * CHUNK..count.min((chunk + 1) * CHUNK)
+}
+
+fn finish_rows(width: usize, sums: &mut [i32], left: &[i32], coverage: &mut [f32]) {
+    let finish = |((sums, coverage), &left): ((&mut [i32], &mut [f32]), &i32)| rows::finish(sums, left, coverage);
     #[cfg(feature = "threads")]
-    if items.len() >= least_parallel && rayon::current_num_threads() > 1 {
+    if coverage.len() >= LEAST_PARALLEL_PIXELS && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        let rows = sums.par_chunks_exact_mut(width).zip(coverage.par_chunks_exact_mut(width)).zip(left);
+        rows.with_min_len(ROWS_A_TASK).for_each(finish);
+        return;
+    }
+    sums.chunks_exact_mut(width).zip(coverage.chunks_exact_mut(width)).zip(left).for_each(finish);
+}
+
+/// Runs `task` on every item with its index; on several threads where that is worth their waking up.
+fn for_each<T: Send>(items: &mut [T], task: impl Fn(usize, &mut T) + Send + Sync) {
+    #[cfg(feature = "threads")]
+    if items.len() >= LEAST_PARALLEL_CHUNKS && rayon::current_num_threads() > 1 {
         use rayon::prelude::*;
         items.par_iter_mut().enumerate().for_each(|(i, item)| task(i, item));
         return;
     }
-    let _ = least_parallel;
     items.iter_mut().enumerate().for_each(|(i, item)| task(i, item));
 }

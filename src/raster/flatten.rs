@@ -56,6 +56,11 @@ impl FlatStroke {
         [Stroke { start: 0, count: self.vertices.len(), closed: self.closed }]
     }
 
+    /// How many pieces a Bézier was cut into, on average.
+    pub fn pieces_a_bezier(&self) -> f32 {
+        self.pieces.iter().sum::<u32>() as f32 / self.pieces.len().max(1) as f32
+    }
+
     /// Flattens `control` (3 n values if `closed`, else 3 n + 1; a remainder is left out).
     pub fn flatten(&mut self, control: &[[f32; 3]], closed: bool, subdivision: Subdivision) {
         let segments = if closed { control.len() / 3 } else { control.len().saturating_sub(1) / 3 };
@@ -115,7 +120,7 @@ impl FlatStroke {
             let pieces = pieces as usize;
             let corners = corners(s, self.control_count);
             for (j, weights) in self.weights[pieces].iter().enumerate() {
-                let vertex = if first + j == self.vertices.len().max(self.places.len()) { 0 } else { first + j };
+                let vertex = if first + j == self.places.len() { 0 } else { first + j };
                 let open_end = !self.closed && (vertex == 0 || vertex + 1 == self.places.len());
                 if open_end {
                     f(vertex, corners[if j == 0 { 0 } else { 3 }], 1.0);

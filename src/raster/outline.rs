@@ -45,6 +45,8 @@ pub(super) struct Run {
 pub(super) struct Outline {
     pub runs: Vec<Run>,
     pub sub_edges: Vec<SubEdge>,
+    /// Adjoint of the start and end disc of each of the chunk's pieces.
+    pub d_pieces: Vec<[[f32; 3]; 2]>,
     near: Near,
     /// The box of the piece in hand, if `near` holds what touches it; else each edge looks for itself.
     near_box: Option<NegatedBox>,
@@ -101,6 +103,28 @@ impl Outline {
             if scene.pieces[k].has_sides {
                 self.trace_end_lines(scene, k);
                 self.trace_sides(scene, k);
+            }
+        }
+    }
+
+    /// Sums up what an adjoint picture does to the pieces of `range`, which must be what was traced last.
+    pub fn pull_back(&mut self, d_coverage: &[f32], range: std::ops::Range<usize>) {
+        self.d_pieces.clear();
+        self.d_pieces.resize(range.len(), [[0.0; 3]; 2]);
+        let mut first = 0;
+        for run in &self.runs {
+            let (mut sum, mut moment) = (0.0f32, 0.0f32);
+            for edge in &self.sub_edges[first..run.end as usize] {
+                let weight = d_coverage[edge.pixel as usize] * edge.length_px;
+                sum += weight;
+                moment += weight * edge.u;
+            }
+            first = run.end as usize;
+            let [start, end] = &mut self.d_pieces[run.node as usize - range.start];
+            let speed = [run.normal[0], run.normal[1], run.radius_weight];
+            for c in 0..3 {
+                start[c] += (sum - moment) * speed[c];
+                end[c] += moment * speed[c];
             }
         }
     }
@@ -165,13 +189,9 @@ impl Outline {
 
     /// The end lines of soft joints. They move with their node; that they also turn is left out.
     fn trace_end_lines(&mut self, scene: &Scene, k: usize) {
-        let node = &scene.nodes[k];
-        let next = node.next as usize;
-        let lines = [
-            (k, scene.joints[k].kind, scene.joints[k].after[1], scene.joints[k].after[0]),
-            (next, scene.joints[next].kind, scene.joints[next].before[0], scene.joints[next].before[1]),
-        ];
-        for (moves_with, kind, from, to) in lines {
+        let (start, end) = (&scene.joints[k], &scene.joints[scene.nodes[k].next as usize]);
+        let lines = [(start.kind, start.after[1], start.after[0], 0.0), (end.kind, end.before[0], end.before[1], 1.0)];
+        for (kind, from, to, u) in lines {
             if kind != Kind::Soft {
                 continue;
             }
@@ -180,7 +200,7 @@ impl Outline {
             let normal = [-step[1] / length, step[0] / length];
             let order = quad_order(k);
             let (edge, skip) = (Edge { start: from, step, order }, [order, NONE, NONE]);
-            self.trace_edge(scene, &Moving { edge, skip, node: moves_with, normal, radius_weight: 0.0, u: [0.0; 2] });
+            self.trace_edge(scene, &Moving { edge, skip, node: k, normal, radius_weight: 0.0, u: [u; 2] });
         }
     }
 

@@ -7,6 +7,8 @@ use crate::{Error, Result};
 
 /// Chords leave their Bézier by at most this many pixels.
 const TOLERANCE_PX: f32 = 0.02;
+/// With fewer pieces a Bézier (on average) vertices see too little of the inner control values; moments do.
+const LEAST_PIECES_FOR_VERTICES: f32 = 4.0;
 const MOST_PIXELS_A_SIDE: usize = 8192;
 const MOST_CONTROL_VALUES: usize = 100_000;
 const FARTHEST_PX: f64 = 1e6;
@@ -72,6 +74,7 @@ impl Scene {
 pub struct SceneRaster {
     raster: ExactRaster,
     flat: FlatStroke,
+    d_vertices: Vec<[f32; 3]>,
 }
 
 impl SceneRaster {
@@ -88,7 +91,12 @@ impl SceneRaster {
 
     /// From the adjoint of the last coverage to that of the control values; overwrites.
     pub fn backward(&mut self, d_coverage: &[f32], d_control: &mut Vec<[f32; 3]>) {
-        self.flat.pull_back_moments(&self.raster, d_coverage, d_control);
+        if self.flat.pieces_a_bezier() < LEAST_PIECES_FOR_VERTICES {
+            self.flat.pull_back_moments(&self.raster, d_coverage, d_control);
+        } else {
+            self.raster.backward(d_coverage, &mut self.d_vertices);
+            self.flat.pull_back(&self.d_vertices, d_control);
+        }
     }
 }
 
