@@ -14,13 +14,15 @@ pub struct BendOptions {
     pub stay: f32,
     /// Price of bending a straight stroke, on top.
     pub straightness: f32,
+    /// How far a drawing's ink may move on average, px of a 256 px picture: beyond, people no longer see their drawing.
+    pub max_mean_px: f32,
     /// Steps of the search.
     pub steps: usize,
 }
 
 impl Default for BendOptions {
     fn default() -> Self {
-        BendOptions { stiffness: 0.02, stay: 0.001, straightness: 1.0, steps: 160 }
+        BendOptions { stiffness: 0.02, stay: 0.001, straightness: 1.0, max_mean_px: 6.0, steps: 160 }
     }
 }
 
@@ -136,6 +138,9 @@ impl Search {
         let rate = 0.12 * (1.0 - 0.8 * done);
         for sheet in &mut self.sheets {
             sheet.descend(&mut self.lattice, &self.options, rate, step + 1);
+            sheet.warp(&mut self.lattice);
+            sheet.keep_size();
+            sheet.keep_near(self.options.max_mean_px * SIDE as f32 / 256.0);
         }
     }
 
@@ -239,6 +244,41 @@ impl Sheet {
                 self.lattice[c][i] -=
                     rate * (self.momentum[c][i] / bias_m) / ((self.spread[c][i] / bias_v).sqrt() + 1e-9);
             }
+        }
+    }
+
+    /// Takes out how much the displacement stretches the ink as a whole, across and down: shrinking always agrees
+    /// better, for what is small strays little, but shows nobody's drawing better.
+    fn keep_size(&mut self) {
+        const K: usize = CONTROLS;
+        let total: f32 = self.warped.iter().sum::<f32>().max(1e-6);
+        for c in 0..2 {
+            let place = |i: usize| (if c == 0 { i % SIDE } else { i / SIDE }) as f32 + 0.5;
+            let ink = || self.warped.iter().enumerate();
+            let middle = ink().map(|(i, w)| w * place(i)).sum::<f32>() / total;
+            let stretch = ink().map(|(i, w)| w * (place(i) - middle) * self.shift[c][i]).sum::<f32>();
+            let size = ink().map(|(i, w)| w * (place(i) - middle).powi(2)).sum::<f32>();
+            let share = stretch / size.max(1e-6);
+            // Control k of a uniform cubic B-spline stands at (k - 1) steps: a linear function's own controls.
+            let spacing = SIDE as f32 / (K - 3) as f32;
+            for (i, d) in self.lattice[c].iter_mut().enumerate() {
+                let k = if c == 0 { i % K } else { i / K };
+                *d -= share * ((k as f32 - 1.0) * spacing - middle);
+            }
+            for i in 0..SIDE * SIDE {
+                self.shift[c][i] -= share * (place(i) - middle);
+            }
+        }
+    }
+
+    /// Scales the displacement down where the ink would move farther than `most_px` on average.
+    fn keep_near(&mut self, most_px: f32) {
+        let total: f32 = self.warped.iter().sum::<f32>().max(1e-6);
+        let far = |(i, w): (usize, &f32)| w * self.shift[0][i].hypot(self.shift[1][i]);
+        let mean = self.warped.iter().enumerate().map(far).sum::<f32>() / total;
+        if mean > most_px {
+            let share = most_px / mean;
+            self.lattice.iter_mut().flatten().for_each(|d| *d *= share);
         }
     }
 
@@ -500,6 +540,35 @@ mod tests {
         }
         let size = sheets.iter().flat_map(|s| &s.d_warped).fold(0.0f32, |m, d| m.max(d.abs()));
         assert!(worst < 0.1 * f64::from(size), "{worst} of {size}");
+    }
+
+    #[test]
+    fn drawings_keep_their_size_and_stay_near() {
+        // A ring, a square's outline and a triangle's: little agrees.
+        let ring = picture(|x, y| ((x - 0.5).hypot(y - 0.5) - 0.38).abs() < 0.02);
+        let square = picture(|x, y| ((x - 0.5).abs().max((y - 0.5).abs()) - 0.3).abs() < 0.02);
+        let triangle = picture(|x, y| ((2.0 * (x - 0.5).abs() + 0.2 - y).max(y - 0.85) + 0.02).abs() < 0.02);
+        let drawings = targets(vec![ring, square, triangle]);
+        // Standard deviation of the ink's place down the picture, px.
+        let spread = |ink: &Image| {
+            let rows = || ink.data.iter().enumerate().map(|(i, &w)| (f64::from(w), (i / ink.width) as f64));
+            let total: f64 = rows().map(|r| r.0).sum();
+            let middle = rows().map(|(w, y)| w * y).sum::<f64>() / total;
+            (rows().map(|(w, y)| w * (y - middle).powi(2)).sum::<f64>() / total).sqrt()
+        };
+        let keeps_size = |before: &Image, after: &Image| (spread(after) / spread(before) - 1.0).abs() < 0.05;
+        let moved = |max_mean_px: f32| {
+            let options = BendOptions { max_mean_px, ..BendOptions::default() };
+            let bent = bend(&drawings, &options, &mut |_| true).unwrap();
+            for (after, before) in bent.targets.iter().zip(&drawings) {
+                assert!(keeps_size(&before.ink, &after.ink), "{} {}", spread(&before.ink), spread(&after.ink));
+            }
+            bent.mean_px.iter().fold(0.0f32, |most, &mean| most.max(mean))
+        };
+        assert!(moved(1.0) < 1.3 && moved(6.0) < 7.8, "{} {}", moved(1.0), moved(6.0));
+        assert!(moved(100.0) > moved(1.0), "the check can fail");
+        let larger = picture(|x, y| ((x - 0.5).hypot(y - 0.5) - 0.42).abs() < 0.02);
+        assert!(!keeps_size(&drawings[0].ink, &larger));
     }
 
     #[test]
