@@ -13,10 +13,10 @@ pub(super) fn recipe(settings: &Settings) -> Recipe {
         Preset::Best | Preset::Fast => Recipe::best(),
     };
     for stage in &mut recipe.stages {
-        stage.samples_per_span = settings.samples;
-        stage.size_px = match stage.raster {
-            RasterKind::Exact => settings.size,
-            RasterKind::Band => (settings.size / 2).max(16),
+        // At half size half the samples are as close together.
+        (stage.size_px, stage.samples_per_span) = match stage.raster {
+            RasterKind::Exact => (settings.size, settings.samples),
+            RasterKind::Band => ((settings.size / 2).max(16), settings.samples.div_ceil(2)),
         };
     }
     recipe.set_iterations(settings.iterations, settings.coarse_share);
