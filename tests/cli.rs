@@ -11,7 +11,13 @@ fn drawing(set: &str, view: &str) -> PathBuf {
 }
 
 fn wire4d(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_wire4d")).args(arguments).output().unwrap()
+    program(arguments).output().unwrap()
+}
+
+fn program(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wire4d"));
+    command.args(arguments);
+    command
 }
 
 fn text(path: &Path) -> &str {
@@ -20,11 +26,15 @@ fn text(path: &Path) -> &str {
 
 /// A quick run on a pair; the flags keep it under a few seconds.
 fn quick_run(out: &Path, more: &[&str]) -> Output {
+    quick(out, more).output().unwrap()
+}
+
+fn quick(out: &Path, more: &[&str]) -> Command {
     let (front, side) = (drawing("p05-tools", "front"), drawing("p05-tools", "side"));
     let mut arguments = vec!["multiview", text(&front), text(&side), "--out", text(out)];
     arguments.extend(["--preset", "fast", "--size", "96", "--iterations", "60", "--grid", "32"]);
     arguments.extend(more);
-    wire4d(&arguments)
+    program(&arguments)
 }
 
 fn json(path: &Path) -> Value {
@@ -131,6 +141,154 @@ fn views_from_other_directions_are_shown_too() {
     assert!(out.join("45,10.png").is_file());
 }
 
+#[test]
+fn any_number_of_threads_gives_the_same_wire() {
+    let folder = tempfile::tempdir().unwrap();
+    let made = |threads: &str, more: &[&str]| {
+        let out = folder.path().join(format!("{threads}-{}", more.len()));
+        let run = [&["--size", "64", "--iterations", "40", "--bend", "little"], more].concat();
+        succeeds(&quick(&out, &run).env("RAYON_NUM_THREADS", threads).output().unwrap());
+        fs::read(out.join("wire.json")).unwrap()
+    };
+    let one = made("1", &[]);
+    assert!(one == made("2", &[]) && one == made("5", &[]));
+    assert!(one != made("2", &["--smoothness", "1.001"]), "the check would not see a difference");
+}
+
+#[test]
+fn every_start_form_and_preset_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    for (setting, more) in [
+        ("preset", ["--preset", "paper"]),
+        ("start", ["--start", "hull"]),
+        ("start", ["--start", "ball"]),
+        ("form", ["--form", "chain"]),
+        ("form", ["--form", "bag"]),
+    ] {
+        let out = folder.path().join(more[1]);
+        succeeds(&quick_run(&out, &[&more[..], &["--iterations", "20", "--size", "64"]].concat()));
+        let report = json(&out.join("report.json"));
+        assert_eq!((&report["settings"][setting], &report["time"]["iterations"]), (&more[1].into(), &20.into()));
+        let views = report["result"]["views"].as_array().unwrap();
+        assert!(views.iter().all(|view| view["soft_iou"].as_f64().unwrap() > 0.0), "{more:?}");
+        // Loose Béziers may fall apart; everything else is one wire.
+        let components = report["result"]["components"].as_u64().unwrap();
+        assert!(components == 1 || more[1] == "bag" && components > 1, "{more:?}: {components} parts");
+        succeeds(&wire4d(&["metrics", text(&out.join("wire.json"))]));
+    }
+}
+
+#[test]
+fn a_wire_is_shown_from_anywhere_and_compared_with_no_more_pictures_than_views() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    succeeds(&quick_run(&out, &["--size", "64", "--iterations", "10"]));
+    let wire = out.join("wire.json");
+    let shown = |view: &str| {
+        let file = folder.path().join(format!("{view}.png"));
+        let size = ["--size", "50", "--out", text(&file)];
+        succeeds(&wire4d(&[&["render", text(&wire), "--view", view], &size[..]].concat()));
+        let image::DynamicImage::ImageLuma16(picture) = image::open(&file).unwrap() else { panic!("16-bit grey") };
+        assert_eq!(picture.dimensions(), (50, 50));
+        assert!(picture.pixels().any(|level| level[0] > 30_000), "{view}: there is ink");
+        picture
+    };
+    let oblique = shown("30,20");
+    assert!(oblique != shown("front") && oblique != shown("-30,20"));
+    assert!(shown("0,0") == shown("front"));
+    for view in ["30", "30,20,10", "30,95", "behind"] {
+        let file = folder.path().join("none.png");
+        refused(&wire4d(&["render", text(&wire), "--view", view, "--out", text(&file)]), view);
+        assert!(!file.exists());
+    }
+
+    let target = out.join("front-target.png");
+    let metrics = |count: usize| {
+        let targets = vec![text(&target); count];
+        wire4d(&[&["metrics", text(&wire), "--targets"], &targets[..]].concat())
+    };
+    succeeds(&metrics(2));
+    refused(&metrics(3), "--targets");
+}
+
+#[test]
+fn a_folder_of_other_things_is_left_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let mine = folder.path().join("mine.txt");
+    fs::write(&mine, "mine").unwrap();
+    for more in [&[][..], &["--overwrite"]] {
+        refused(&quick_run(folder.path(), more), text(folder.path()));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
+    }
+}
+
+#[test]
+fn drawings_that_share_nothing_are_refused() {
+    // Two blocks on a diagonal in front and side leave two cubes; of the two diagonals a top may show, one misses both.
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str, mirrored: bool| {
+        let file = folder.path().join(name);
+        grey(&file, 64, |x, y| if ((x < 32) == (y < 32)) != mirrored { 0 } else { 255 });
+        file
+    };
+    let (falling, rising) = (picture("falling.png", false), picture("rising.png", true));
+    let run = |top: &Path, arrange: &str| {
+        let out = folder.path().join("out");
+        let _ = fs::remove_dir_all(&out);
+        let pictures = ["multiview", text(&falling), text(&falling), text(top), "--out", text(&out)];
+        let quick = ["--preset", "fast", "--size", "64", "--iterations", "2", "--grid", "16", "--arrange", arrange];
+        wire4d(&[&pictures[..], &quick].concat())
+    };
+    refused(&run(&falling, "off"), "no ink at a common height");
+    succeeds(&run(&rising, "off"));
+    succeeds(&run(&falling, "on"));
+}
+
+#[test]
+fn a_raster_scene_is_drawn_compared_and_timed() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let scene = |name: &str, y: f64| {
+        let points = [[4.0, 20.0 + y], [4.0, 4.0 + y], [28.0, 4.0 + y], [28.0, 20.0 + y]];
+        let scene = serde_json::json!({
+            "bezier_points": points, "bezier_radius": [1.0, 2.0, 2.0, 0.5], "closed": false, "size": 32,
+        });
+        fs::write(at(name), scene.to_string()).unwrap();
+    };
+    scene("here.json", 0.0);
+    scene("lower.json", 1.0);
+    let draw = |name: &str, more: &[&str]| succeeds(&wire4d(&[&["raster", text(&at(name))], more].concat()));
+    let (lower, grad) = (at("lower.npy"), at("grad.json"));
+    assert_eq!(draw("lower.json", &["--out", text(&lower)]), "", "nothing to print without --repeat");
+    let bytes = fs::read(&lower).unwrap();
+    assert!(bytes.starts_with(b"\x93NUMPY") && bytes.len() > 4 * 32 * 32);
+
+    let compare = ["--target", text(&lower), "--grad", text(&grad)];
+    let line = draw("here.json", &[&compare[..], &["--repeat", "3", "--backend", "cpu"]].concat());
+    let timing: Value = serde_json::from_str(&line).unwrap();
+    assert_eq!(keys(&timing), ["backend", "backward_ms", "forward_ms", "scene"]);
+    assert_eq!((&timing["scene"], &timing["backend"]), (&"here".into(), &"cpu".into()));
+    assert!(timing["forward_ms"].as_f64().unwrap() > 0.0 && timing["backward_ms"].as_f64().unwrap() > 0.0);
+    let found = json(&grad);
+    assert_eq!(keys(&found), ["d_points", "d_radius", "loss"]);
+    assert!(found["loss"].as_f64().unwrap() > 1e-3);
+    let d_points = found["d_points"].as_array().unwrap();
+    let down: f64 = d_points.iter().map(|d| d.as_array().unwrap()[1].as_f64().unwrap()).sum();
+    assert!(d_points.len() == 4 && down < 0.0, "the loss falls on the way down to the target: {down}");
+    assert_eq!(found["d_radius"].as_array().unwrap().len(), 4);
+
+    draw("lower.json", &compare);
+    assert!(json(&grad)["loss"].as_f64().unwrap() < 1e-12, "sibling: nothing to mend");
+    refused(&wire4d(&["raster", text(&at("here.json")), "--grad", text(&grad)]), "--grad");
+}
+
+fn keys(object: &Value) -> Vec<&str> {
+    let mut keys: Vec<&str> = object.as_object().unwrap().keys().map(String::as_str).collect();
+    keys.sort_unstable();
+    keys
+}
+
 #[cfg(unix)]
 #[test]
 fn ctrl_c_stops_the_run_and_keeps_what_there_is() {
@@ -162,7 +320,6 @@ fn bad_input_is_refused_in_one_line_and_leaves_nothing_behind() {
     grey(&at("blank.png"), 64, |_, _| 255);
     grey(&at("full.png"), 64, |_, _| 0);
     grey(&at("dot.png"), 64, |x, y| if (x, y) == (30, 30) { 0 } else { 255 });
-    // Ink only in the upper or only in the lower half: nothing to share once nothing may be cropped or moved.
     let (front, side) = (drawing("p05-tools", "front"), drawing("p05-tools", "side"));
     let out = at("out");
     let run = |pictures: &[&Path], more: &[&str]| {
