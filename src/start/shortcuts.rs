@@ -40,7 +40,7 @@ pub fn take_shortcuts(grid: &Grid, tree: &Tree, graph: &Graph, twice: &mut [bool
     for _ in 0..ROUNDS {
         let before = steps.len();
         for source in 0..graph.voxels.len() as u32 {
-            if graph.incident[source as usize].len() % 2 == 0 {
+            if graph.incident[source as usize].len().is_multiple_of(2) {
                 continue;
             }
             let mut stack = vec![(source, u32::MAX)];
