@@ -8,6 +8,7 @@ mod page;
 mod serve;
 mod setup;
 mod shell;
+mod speed;
 mod test;
 mod wasm;
 
@@ -27,6 +28,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "build", options: "", help: build::HELP, run: build::run },
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
+    Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
 ];
 

@@ -1,0 +1,21 @@
+// Runs one set of drawings in the page's wasm module, outside a browser, and prints the seconds of start and fit.
+// Arguments: the module's folder, then NAME WIDTH HEIGHT RGBA_FILE for each picture.
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [folder, ...pictures] = process.argv.slice(2);
+const wasm = await import(pathToFileURL(join(folder, "wire4d.js")).href);
+wasm.initSync({ module: await readFile(join(folder, "wire4d_bg.wasm")) });
+
+const set = new wasm.PictureSet();
+for (let i = 0; i < pictures.length; i += 4) {
+  const [name, width, height, file] = pictures.slice(i, i + 4);
+  set.add(name, Number(width), Number(height), new Uint8Array(await readFile(file)));
+}
+const begin = performance.now();
+const run = wasm.Run.start(set, JSON.stringify({ preset: "fast", bend: "none" }), () => {}, () => {});
+const middle = performance.now();
+while (run.iteration < run.iterations) run.step(20);
+const end = performance.now();
+console.log(JSON.stringify({ start_s: (middle - begin) / 1000, optimize_s: (end - middle) / 1000 }));
