@@ -81,6 +81,8 @@ export class Studio {
   private fitStartMs = 0;
   /** The pads whose pictures the present run was given, in its order. */
   private given: readonly Slot[] = [];
+  /** The last finished wire as a share code. */
+  private kept = "";
 
   constructor() {
     this.engine.call("settings", {}).then(
@@ -139,10 +141,21 @@ export class Studio {
       const finished = await this.engine.call("run", { pictures, settings });
       this.showWire(finished.wire);
       this.store.set({ phase: "idle", progress: READY, finished, views: finished.views, targets: finished.targets });
+      this.kept = await this.engine.call("share", {});
     } catch (error) {
       const problem = error instanceof Cancelled ? "" : explain(error, "The run");
       this.store.set({ phase: "idle", progress: READY, problem });
+      await this.bringBack();
     }
+  }
+
+  /** The last finished wire again, after a run that came to nothing: the worker that held it may be gone. */
+  private async bringBack(): Promise<void> {
+    if (!this.kept) return;
+    const finished = await this.engine.call("open", { code: this.kept });
+    if (this.store.get().phase !== "idle") return;
+    this.showWire(finished.wire);
+    this.store.set({ finished, views: finished.views, targets: finished.targets });
   }
 
   /** Ends the run and keeps the best wire so far; while there is none yet it simply ends. */
@@ -173,6 +186,7 @@ export class Studio {
       const finished = await this.engine.call("open", { code });
       if (this.store.get().phase !== "idle") return;
       this.showWire(finished.wire);
+      this.kept = code;
       const { views, targets } = finished;
       const said = source === "example" ? "An example, made from these three drawings. Run makes it again." : "";
       this.store.set({ finished, source, views, targets, losses: [], notes: [], problem: "", said });

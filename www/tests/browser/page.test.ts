@@ -162,12 +162,16 @@ describe("a run", () => {
     await page.context().close();
   });
 
-  it("can be stopped while the first wire is still sought, and started again", async () => {
+  it("can be stopped while the first wire is still sought, keeps the last wire, and starts again", async () => {
     const { page, faults } = await visit(browser, site.url);
     await padsReady(page);
+    const hasWire = () => page.getByRole("button", { name: "GLB" }).isEnabled();
+    await expect.poll(hasWire, { timeout: 120_000 }).toBe(true);
     await page.getByRole("button", { name: "Run" }).click();
+    expect(await hasWire()).toBe(false);
     await page.getByRole("button", { name: "Stop" }).click();
     await idle(page);
+    await expect.poll(hasWire, { timeout: 120_000 }).toBe(true);
     await page.getByRole("button", { name: "Run" }).click();
     await page.locator("p[data-phase=running]").waitFor({ timeout: 120_000 });
     expect(faults).toEqual([]);
