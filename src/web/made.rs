@@ -2,9 +2,9 @@
 
 use super::json;
 use super::pictures::ViewTarget;
-use crate::export;
+use crate::export::{self, ExportOptions, Format};
 use crate::metrics::ResultReport;
-use crate::sculpture::{Sculpture, strands};
+use crate::sculpture::Sculpture;
 use crate::wire::Wire;
 use wasm_bindgen::prelude::*;
 
@@ -44,9 +44,6 @@ impl Made {
         Made { sculpture, targets, result }
     }
 }
-
-/// Samples a knot span for the tube; the mesher thins them to its tolerance.
-const TUBE_SAMPLES: usize = 8;
 
 #[wasm_bindgen]
 impl Made {
@@ -89,14 +86,16 @@ impl Made {
     }
 
     /// The tube as a GLB file.
-    pub fn glb(&self) -> Vec<u8> {
-        let mesh = export::tube(&strands(&self.sculpture.wire, TUBE_SAMPLES), &export::TubeOptions::default());
-        let extras = serde_json::to_value(&self.sculpture.made_with).unwrap_or_default();
-        export::glb(&mesh, &extras)
+    pub fn glb(&self) -> Result<Vec<u8>, JsError> {
+        self.file(Format::Glb)
     }
 
     /// The wire.json file.
-    pub fn wire_json(&self) -> Vec<u8> {
-        self.sculpture.to_json().into_bytes()
+    pub fn wire_json(&self) -> Result<Vec<u8>, JsError> {
+        self.file(Format::WireJson)
+    }
+
+    fn file(&self, format: Format) -> Result<Vec<u8>, JsError> {
+        Ok(export::export(&self.sculpture, format, None, &ExportOptions::default())?)
     }
 }
