@@ -194,6 +194,8 @@ const MOST_FIRST_POINTS: f64 = 3200.0;
 /// The paper's largest number of points.
 const BALL_POINTS: usize = 220;
 
+/// Drawings of which this share can be shown agree as they are: bending them before the fit would only move their ink.
+const ENOUGH_SHARE: f32 = 0.98;
 /// Share of the start's progress that bending the drawings takes.
 const BENDING_SHARE: f32 = 0.4;
 
@@ -216,7 +218,8 @@ impl Run {
         let mut targets = plan.arrangement.targets.clone();
         let mut moved_before = vec![Displacement::default(); targets.len()];
         let mut done = 0.0;
-        if settings.bend == Bend::Free {
+        let agree = plan.coverable.iter().all(|view| view.share >= ENOUGH_SHARE);
+        if settings.bend == Bend::Free && !agree {
             done = BENDING_SHARE;
             let bent = start::bend(&targets, &BendOptions::default(), &mut |share| progress(BENDING_SHARE * share))?;
             targets = bent.targets;
