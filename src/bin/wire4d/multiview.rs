@@ -48,6 +48,9 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     for note in plan.notes() {
         say(&note);
     }
+    if plan.coverable.iter().any(|view| view.share < 1.0) {
+        bar.println("NAME-missing.png will show the lines that no object can show");
+    }
     bar.set_message(format!("Finding a first wire ({:.0}% of the ink can be shown)", 100.0 * plan.mean_coverable()));
     let mut run = Run::start(plan, &settings, &mut |share| {
         bar.set_position((share * 100.0) as u64);
@@ -88,6 +91,10 @@ fn save(folder: &Folder, run: &Run, report: &Report) -> Result<()> {
         };
         save("", &sculpture::render(&made.wire, &target.view), GreyDepth::Bits16)?;
         save("-target", &target.ink, GreyDepth::Bits8)?;
+        let coverable = &run.plan().coverable[index];
+        if coverable.share < 1.0 {
+            save("-missing", &coverable.missing, GreyDepth::Bits8)?;
+        }
         if let Some(bent) = &bent {
             save("-bent", &bent[index].0, GreyDepth::Bits8)?;
         }
