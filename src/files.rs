@@ -62,9 +62,11 @@ mod tests {
         write_whole(&path, b"two").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
         let missing = write_whole(&folder.path().join("no/such/folder.bin"), b"x").unwrap_err();
-        assert!(!missing.is_bad_input() && missing.to_string().contains("folder.bin"), "{missing}");
+        assert!(missing.is_bad_input() && missing.to_string().contains("folder.bin"), "{missing}");
         assert!(write_whole(folder.path(), b"x").unwrap_err().to_string().contains("is a folder"));
         assert!(write_whole(Path::new("/"), b"x").is_err());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "no parts are left");
+        assert_eq!(read_at_most(&path, 3).unwrap().as_deref(), Some(&b"two"[..]));
+        assert_eq!(read_at_most(&path, 2).unwrap(), None, "a byte too many");
     }
 }
