@@ -152,7 +152,7 @@ fn grey_files_come_back_as_they_went() {
     assert_eq!(read.as_raw()[..4], [0, 64, 128, 255]);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "no temporary files are left");
     let error = view::write_png(&folder.path().join("a/b.png"), &coverage, GreyDepth::Bits8).unwrap_err();
-    assert!(!error.is_bad_input(), "an output that cannot be written is no bad input");
+    assert!(error.is_bad_input(), "a folder that does not exist is a bad option");
     assert!(view::write_png(&path, &Image::default(), GreyDepth::Bits16).is_err());
     assert!(view::encode_png("x", &Image { width: 3, height: 3, data: vec![] }, GreyDepth::Bits8).is_err());
 }
