@@ -14,11 +14,29 @@ export interface Picture extends Pixels {
   readonly name: string;
 }
 
+/** How ink is found in a picture. */
+export interface Reading {
+  /** Dark or light ink; `auto` takes the border's shade for ground. */
+  readonly ink: "auto" | "dark" | "light";
+  /** Least strength that counts as ink, above 0 up to 1, edges kept soft; 0 leaves tones as they are. */
+  readonly threshold: number;
+}
+
 /** One channel, 0 (ground) to 255 (ink). */
 export interface Ink {
   readonly width: number;
   readonly height: number;
   readonly ink: Uint8Array<ArrayBuffer>;
+}
+
+/** What the ink finder saw. */
+export interface FoundInk extends Ink {
+  readonly polarity: "dark" | "light";
+}
+
+/** A drawing as it goes into a run: ink with the name of its pad. */
+export interface Drawing extends Ink {
+  readonly name: string;
 }
 
 /** A view as in wire.json. */
@@ -34,15 +52,63 @@ export interface View {
   readonly height_px: number;
 }
 
-/** A view and the ink it should show. */
-export interface Target extends Ink {
+/** How a drawing was laid into a view. */
+export interface Placed {
   readonly view: View;
-  /** Share of its ink that any object at all could show, 0 to 1. */
-  readonly coverable: number;
-  /** Which of the run's pictures it is, and how that was laid. */
+  /** Which of the drawings it is, from 0. */
   readonly source: number;
   readonly mirrored: boolean;
+  /** Counter-clockwise, after mirroring. */
   readonly quarterTurns: number;
+  /** Share of its ink that any object at all could show, 0 to 1. */
+  readonly coverable: number;
+}
+
+/** A view and the ink it should show. */
+export interface Target extends Placed, Ink {}
+
+/** What a person should know before a run. */
+export interface Preview {
+  /** One a drawing, in the order they were given. */
+  readonly drawings: readonly DrawingPreview[];
+  /** Mean over the views of the share of ink that any object could show, as arranged now. */
+  readonly coverable: number;
+  /** The same with every drawing where it was put, upright and not mirrored. */
+  readonly asGiven: number;
+  /** What would help, best first; only what gains at least one in a hundred. */
+  readonly remedies: readonly Remedy[];
+  /** What each choice of `bend` would come to. */
+  readonly bends: readonly BendPreview[];
+  /** What the core has to say about the drawings, in sentences. */
+  readonly notes: readonly string[];
+}
+
+/** A drawing as the optimiser will see it: lines thickened, laid back upright onto the drawing as given. */
+export interface DrawingPreview extends Placed {
+  readonly seen: Ink;
+  /** The part of `seen` that no object can show together with the other drawings; same size. */
+  readonly missing: Ink;
+}
+
+/** Something a person can do to the drawings with one click. */
+export interface Remedy {
+  readonly kind: "arrange" | "mirror" | "turn" | "swap";
+  /** The drawings it moves: one to mirror or turn, two to swap, all to arrange. */
+  readonly sources: readonly number[];
+  /** Counter-clockwise; for `turn`. */
+  readonly quarterTurns: number;
+  /** Mean share of ink that any object could show, after it. */
+  readonly coverable: number;
+}
+
+export interface BendPreview {
+  readonly bend: string;
+  /** Mean share of the bent ink that any object could show. Null where only the fit can tell. */
+  readonly coverable: number | null;
+  /** How much the bent drawings still are the drawings as given: soft IoU, 0 to 1. Null as above. */
+  readonly likeness: number | null;
+  /** How far ink moves on average, pixels of 256. Null as above. */
+  readonly movedPx: number | null;
 }
 
 /** What the run is at. */
@@ -51,37 +117,68 @@ export interface Frame {
   readonly iteration: number;
   readonly iterations: number;
   readonly loss: number;
+  /** Over the last second or so; 0 before that is known. */
+  readonly iterationsPerSecond: number;
 }
 
-/** A finished wire, or one from a link: what can be shown, measured and saved. */
+/** Something that happened before the iteration of that number. */
+export interface RunEvent {
+  readonly iteration: number;
+  readonly kind: "stage" | "restart" | "reinit" | "refine" | "undone" | "done";
+  readonly count: number;
+}
+
+/** A point of the run to look back at, and to go on from. */
+export interface Snapshot {
+  readonly iteration: number;
+  readonly iterations: number;
+  readonly loss: number;
+  readonly wire: WireShape;
+  /** The run's whole state: the worker's own format. */
+  readonly checkpoint: Uint8Array<ArrayBuffer>;
+}
+
+/** A finished wire, or one from a link or file: what can be shown, measured and saved. */
 export interface Finished {
   readonly wire: WireShape;
   readonly views: readonly View[];
-  /** Empty for a wire from a link: the pictures are not in it. */
+  /** As bent, where they were; empty for a wire from a link: the pictures are not in it. */
   readonly targets: readonly Target[];
   readonly measures: Measures;
+  /** The wire.json: exports start from it. */
+  readonly file: Uint8Array<ArrayBuffer>;
+  /** The share code. */
+  readonly code: string;
 }
 
 /** Numbers about a wire: the `result` part of report.json, as far as the page shows it. */
 export interface Measures {
   readonly views: readonly ViewMeasures[];
   readonly components: number;
+  /** World units; the object fits the unit ball. */
   readonly length: number;
   readonly control_points: number;
+  /** World units. */
+  readonly min_width: number;
+  readonly max_width: number;
 }
 
 export interface ViewMeasures {
   readonly name: string;
   /** Against the drawing as given; null where there is none to compare with. */
   readonly soft_iou: number | null;
+  readonly precision_2px: number | null;
+  readonly recall_2px: number | null;
+  /** Share of the drawing's ink that any object could show. */
+  readonly target_coverable: number | null;
   /** Against the drawing as it was bent. */
-  readonly bent: { readonly soft_iou: number; readonly mean_px: number } | null;
+  readonly bent: { readonly soft_iou: number; readonly precision_2px: number; readonly recall_2px: number; readonly mean_px: number } | null;
 }
 
 /** A row of the core's settings table. */
 export interface SettingRow {
   readonly name: string;
-  readonly group: string;
+  readonly group: "run" | "wire" | "views" | "fit" | "expert";
   readonly unit: string;
   readonly help: string;
   readonly kind: "integer" | "number" | "choice" | "switch";
@@ -90,32 +187,45 @@ export interface SettingRow {
   readonly choices?: readonly string[];
 }
 
-/** Settings that differ from their preset, by name, as text. */
+/** The core's settings: the table, and each preset's value for every row, as text. */
+export interface SettingsTable {
+  readonly rows: readonly SettingRow[];
+  readonly presets: Readonly<Record<string, SettingValues>>;
+}
+
+/** Settings by name, as text; in a request, those that differ from their preset. */
 export type SettingValues = Readonly<Record<string, string>>;
 
-export type ExportFormat = "glb" | "wire.json";
+export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "wire.json" | "bend.csv";
 
 /** What the page can ask for: arguments and answer by name. */
 export interface Calls {
-  settings: { arguments: Record<never, never>; answer: readonly SettingRow[] };
+  settings: { arguments: Record<never, never>; answer: SettingsTable };
   /** What the core sees in a picture. */
-  read: { arguments: { picture: Picture; settings: SettingValues }; answer: Ink };
-  /** Answered when the run has ended by itself or was stopped. */
-  run: { arguments: { pictures: readonly Picture[]; settings: SettingValues }; answer: Finished };
-  open: { arguments: { code: string }; answer: Finished };
-  /** Of the last finished or opened wire. */
-  export: { arguments: { format: ExportFormat }; answer: Uint8Array<ArrayBuffer> };
-  share: { arguments: Record<never, never>; answer: string };
+  read: { arguments: { picture: Picture; reading: Reading }; answer: FoundInk };
+  /** What two or three drawings come to before a run. */
+  preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
+  /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same drawings. */
+  run: { arguments: { drawings: readonly Drawing[]; settings: SettingValues; from: Uint8Array<ArrayBuffer> | null }; answer: Finished };
+  /** A share code, or the bytes of a wire.json with its name. */
+  open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
+  /** A wire.json in another format; `view` is the name of the view an SVG draws. */
+  export: { arguments: { file: Uint8Array<ArrayBuffer>; format: ExportFormat; view: string }; answer: Uint8Array<ArrayBuffer> };
 }
 
 export type CallName = keyof Calls;
 export type Request = { [K in CallName]: { id: number; call: K } & Calls[K]["arguments"] }[CallName];
-/** Words to a run that is under way; they need no answer. `seen` asks for the next frame: none comes before it. */
-export type Control = { control: "pause" | "resume" | "stop" | "seen" };
+/**
+ * Words to a run that is under way; they need no answer. `step` does one iteration and pauses. `seen` asks for the next
+ * frame: none comes before it.
+ */
+export type Control = { control: "pause" | "resume" | "step" | "stop" | "seen" };
 
 export type News =
   | { news: "progress"; words: string; share: number }
   | { news: "note"; words: string }
   | { news: "targets"; targets: readonly Target[] }
-  | { news: "frame"; frame: Frame };
+  | { news: "frame"; frame: Frame }
+  | { news: "event"; event: RunEvent }
+  | { news: "snapshot"; snapshot: Snapshot };
 export type Answer = { id: number; answer: unknown } | { id: number; problem: string };
