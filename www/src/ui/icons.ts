@@ -1,17 +1,67 @@
-/** The page's icons, 20 px, drawn as strokes. */
+/** The page's icons: from Lucide (ISC), imported one by one, so that only those named here are in the page. */
 
-import { svg, html, type TemplateResult } from "lit";
+import { html, type TemplateResult } from "lit";
+import { unsafeSVG } from "lit/directives/unsafe-svg.js";
+import leftRight from "lucide-static/icons/arrow-left-right.svg?raw";
+import camera from "lucide-static/icons/camera.svg?raw";
+import check from "lucide-static/icons/check.svg?raw";
+import chevronDown from "lucide-static/icons/chevron-down.svg?raw";
+import question from "lucide-static/icons/circle-question-mark.svg?raw";
+import dices from "lucide-static/icons/dices.svg?raw";
+import download from "lucide-static/icons/download.svg?raw";
+import braces from "lucide-static/icons/file-braces.svg?raw";
+import image from "lucide-static/icons/image.svg?raw";
+import images from "lucide-static/icons/images.svg?raw";
+import link from "lucide-static/icons/link.svg?raw";
+import moon from "lucide-static/icons/moon.svg?raw";
+import pause from "lucide-static/icons/pause.svg?raw";
+import pencil from "lucide-static/icons/pencil.svg?raw";
+import play from "lucide-static/icons/play.svg?raw";
+import redo from "lucide-static/icons/redo-2.svg?raw";
+import again from "lucide-static/icons/rotate-ccw.svg?raw";
+import share from "lucide-static/icons/share-2.svg?raw";
+import forward from "lucide-static/icons/skip-forward.svg?raw";
+import sliders from "lucide-static/icons/sliders-horizontal.svg?raw";
+import square from "lucide-static/icons/square.svg?raw";
+import stepForward from "lucide-static/icons/step-forward.svg?raw";
+import sunMoon from "lucide-static/icons/sun-moon.svg?raw";
+import sun from "lucide-static/icons/sun.svg?raw";
+import triangle from "lucide-static/icons/triangle-alert.svg?raw";
+import undo from "lucide-static/icons/undo-2.svg?raw";
+import x from "lucide-static/icons/x.svg?raw";
 
-const icon = (shapes: TemplateResult): TemplateResult => html`<svg class="icon" viewBox="0 0 20 20" aria-hidden="true">${shapes}</svg>`;
+/** Only the shapes of a file go into the page: size and colour are those of `svg.icon` in shared.ts. */
+function icon(file: string): TemplateResult {
+  const shapes = file.slice(file.indexOf(">", file.indexOf("<svg")) + 1, file.lastIndexOf("</svg>")).replace(/\s+/g, " ");
+  return html`<svg class="icon" viewBox="0 0 24 24" aria-hidden="true">${unsafeSVG(shapes)}</svg>`;
+}
 
 export const icons = {
-  run: icon(svg`<path d="M6 4.2v11.6l9.5-5.8z" fill="currentColor" />`),
-  pause: icon(svg`<path d="M7 4.5v11M13 4.5v11" />`),
-  stop: icon(svg`<rect x="5" y="5" width="10" height="10" rx="1.5" />`),
-  download: icon(svg`<path d="M10 3v9.5M6 9l4 4 4-4M3.5 16.5h13" />`),
-  link: icon(svg`<path d="M8.5 11.5a3 3 0 0 0 4.3 0l2.7-2.7a3 3 0 0 0-4.3-4.3l-1 1M11.5 8.5a3 3 0 0 0-4.3 0l-2.7 2.7a3 3 0 0 0 4.3 4.3l1-1" />`),
-  close: icon(svg`<path d="m5.5 5.5 9 9m0-9-9 9" />`),
-  picture: icon(svg`<rect x="3" y="4" width="14" height="12" rx="1.5" /><path d="m3.5 14 4-4 3 3 2.5-2.5 3.5 3.5" /><circle cx="12.8" cy="7.6" r="1.1" />`),
-  file: icon(svg`<path d="M5 3h6.5L15 6.5V17H5zM11.5 3v3.5H15" />`),
-  warning: icon(svg`<path d="M10 3.2 17.6 16.5H2.4zM10 8.2v3.6M10 14.2v.1" />`),
+  run: icon(play),
+  pause: icon(pause),
+  step: icon(stepForward),
+  stop: icon(square),
+  reset: icon(again),
+  newest: icon(forward),
+  undo: icon(undo),
+  redo: icon(redo),
+  share: icon(share),
+  link: icon(link),
+  download: icon(download),
+  file: icon(braces),
+  camera: icon(camera),
+  picture: icon(image),
+  pictures: icon(images),
+  pencil: icon(pencil),
+  swap: icon(leftRight),
+  settings: icon(sliders),
+  dice: icon(dices),
+  check: icon(check),
+  more: icon(chevronDown),
+  close: icon(x),
+  help: icon(question),
+  light: icon(sun),
+  dark: icon(moon),
+  system: icon(sunMoon),
+  warning: icon(triangle),
 };
