@@ -1,0 +1,85 @@
+/**
+ * Opens a share code: the wire and its views from the end of a link, without the core. Twin of the reading half of
+ * `src/export/share/mod.rs`; a code is base64url of `[version][range-coded contents][CRC-32 of all before]`.
+ */
+
+import type { WireShape } from "../shape";
+import type { View } from "../view";
+import { crc32, fromBase64 } from "./base64";
+import { isView, wireProblem } from "./check";
+import { Nonsense, readContents, type KnotCode } from "./contents";
+import { RangeDecoder } from "./range";
+
+export interface Opened {
+  readonly wire: WireShape;
+  readonly views: readonly View[];
+  /** What it was made with. */
+  readonly task: string;
+  readonly seed: bigint;
+}
+
+/** Says in a sentence why a code cannot be opened, and what to do. */
+export class ShareCodeError extends Error {
+  override readonly name = "ShareCodeError";
+}
+
+const VERSION = 1;
+/** No wire needs more; longer texts are refused unread. */
+const MAX_CODE_CHARACTERS = 1 << 20;
+
+/**
+ * The wire of a share code, or of a link that ends in one (after `#` or `=`).
+ * @throws ShareCodeError for anything that is damaged, foreign or newer than this page.
+ */
+export function openShareCode(text: string): Opened {
+  if (text.length > MAX_CODE_CHARACTERS) throw new ShareCodeError("This link is longer than any code; copy only the code or the link.");
+  const code = text.trim().split(/[#=]/).at(-1)!;
+  if (!code) throw new ShareCodeError("This link is empty; copy the whole code or link.");
+  const bytes = fromBase64(code);
+  if (!bytes || bytes.length < 5) throw damaged();
+  const body = bytes.subarray(0, -4);
+  const checksum = new DataView(bytes.buffer).getUint32(body.length, true);
+  if (crc32(body) !== checksum) throw damaged();
+  const version = body[0]!;
+  if (version > VERSION) {
+    throw new ShareCodeError(`This link was made by a newer Wire4D (version ${version}, this page reads ${VERSION}); reload the page to get it.`);
+  }
+  if (version !== VERSION) throw damaged();
+  return unpack(body.subarray(1));
+}
+
+function unpack(packed: Uint8Array): Opened {
+  try {
+    const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed));
+    const controlPoints = Float64Array.from(points, (step, at) => step * steps[at % 4 === 3 ? 1 : 0]);
+    const knots = knotsFrom(code, closed);
+    const problem = wireProblem(form, closed, knots, controlPoints);
+    if (problem) throw new ShareCodeError(`This link holds no valid wire (${problem}); ask for a new link.`);
+    if (!views.every(isView)) throw damaged();
+    return { wire: { closed, knots, controlPoints }, views, task, seed };
+  } catch (error) {
+    throw error instanceof Nonsense ? damaged() : error;
+  }
+}
+
+const damaged = (): ShareCodeError => new ShareCodeError("This link is damaged or incomplete; copy the whole code or link again.");
+
+/** Clamped where the wire is open; periodic, to the last bit, where it is closed. */
+function knotsFrom({ start, longest, perOctave, intervals }: KnotCode, closed: boolean): Float64Array {
+  const count = intervals.length;
+  const knots = new Float64Array(count + 7);
+  let sum = 0;
+  knots.fill(start, 0, 4);
+  intervals.forEach((interval, k) => {
+    if (interval > 0) sum += longest * 2 ** (-(interval - 1) / perOctave);
+    knots[k + 4] = start + sum;
+  });
+  const end = knots[count + 3]!;
+  knots.fill(end, count + 4);
+  if (closed && count >= 3) {
+    const period = end - start;
+    for (let i = 0; i < 3; i++) knots[i] = knots[i + count] === end ? start : knots[i + count]! - period;
+    for (let i = 4; i < 7; i++) knots[i + count] = knots[i] === start ? end : knots[i]! + period;
+  }
+  return knots;
+}
