@@ -1,4 +1,4 @@
-/** Styles that several elements share. */
+/** Styles that several elements share: three sizes of text (13, 15, 20 px), two weights, 8 px grid, corners of 6 px. */
 
 import { css } from "lit";
 
@@ -7,6 +7,9 @@ export const controls = css`
   *::before,
   *::after {
     box-sizing: border-box;
+  }
+  [hidden] {
+    display: none !important;
   }
   button,
   select,
@@ -19,8 +22,9 @@ export const controls = css`
     align-items: center;
     justify-content: center;
     gap: 8px;
+    min-width: 0;
     min-height: 40px;
-    padding: 0 14px;
+    padding: 0 12px;
     border: 1px solid var(--line);
     border-radius: 6px;
     background: var(--raised);
@@ -35,6 +39,45 @@ export const controls = css`
     cursor: default;
     opacity: 0.6;
   }
+  button.primary {
+    border-color: transparent;
+    background: var(--copper-fill);
+    color: var(--on-copper);
+    font-weight: 600;
+    box-shadow: var(--shadow);
+  }
+  button.primary:hover:not(:disabled) {
+    background: color-mix(in srgb, var(--copper-fill), var(--ink) 12%);
+  }
+  button.plain {
+    border-color: transparent;
+    background: none;
+  }
+  button.plain:hover:not(:disabled) {
+    background: color-mix(in srgb, var(--ink) 7%, transparent);
+  }
+  button.square {
+    flex: none;
+    width: 40px;
+    padding: 0;
+  }
+  select,
+  input:is([type="number"], [type="text"]) {
+    min-width: 0;
+    min-height: 36px;
+    padding: 0 8px;
+    border: 1px solid var(--line-strong);
+    border-radius: 6px;
+    background: var(--raised);
+  }
+  input:is([type="range"], [type="checkbox"], [type="radio"]) {
+    accent-color: var(--copper);
+  }
+  input[type="range"] {
+    min-width: 0;
+    margin: 0;
+    height: 24px;
+  }
   :focus-visible {
     outline: 2px solid var(--copper);
     outline-offset: 2px;
@@ -45,7 +88,7 @@ export const controls = css`
     height: 20px;
     fill: none;
     stroke: currentColor;
-    stroke-width: 1.6;
+    stroke-width: 1.8;
     stroke-linecap: round;
     stroke-linejoin: round;
   }
@@ -53,6 +96,13 @@ export const controls = css`
     margin: 0;
     font-size: 13px;
     font-weight: 600;
+    color: var(--quiet);
+  }
+  .small {
+    font-size: 13px;
+    line-height: 1.4;
+  }
+  .quiet {
     color: var(--quiet);
   }
   .unseen {
@@ -64,13 +114,30 @@ export const controls = css`
     white-space: nowrap;
   }
   @media (pointer: coarse) {
-    button {
+    button,
+    select,
+    input:is([type="number"], [type="text"]) {
       min-height: 44px;
+    }
+    button.square {
+      width: 44px;
+    }
+    input[type="range"] {
+      height: 44px;
+    }
+  }
+  @media (forced-colors: active) {
+    button.primary {
+      forced-color-adjust: none;
+      border-color: ButtonText;
     }
   }
   @media (prefers-reduced-motion: reduce) {
-    * {
+    *,
+    *::before,
+    *::after {
       transition: none !important;
+      animation: none !important;
     }
   }
 `;
