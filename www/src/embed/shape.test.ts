@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { basis, sampleWire } from "./shape";
+import { basis, Sampler, samplesPerSpan, sampleWire, type WireShape } from "./shape";
 import { buildRings, RING_FLOATS } from "./tube";
 
 const knots = [0, 0, 0, 0, 0.7, 1.1, 2, 2, 2, 2];
@@ -34,7 +34,8 @@ it("breaks where four knots are equal, and closes a closed wire", () => {
 it("makes rings with frames at right angles, finite even where the wire stands still", () => {
   const still = { closed: false, knots, controlPoints: controlPoints.map((x, i) => (i < 16 ? [0, 0, 0, 0.1][i % 4]! : x)) };
   for (const wire of [{ closed: false, knots, controlPoints }, still]) {
-    const { data, count } = buildRings(sampleWire(wire, 6));
+    const samples = sampleWire(wire, 6);
+    const { data, count } = buildRings(samples, samples.parameters);
     for (let ring = 0; ring < count; ring++) {
       const r = data.subarray(ring * RING_FLOATS, (ring + 1) * RING_FLOATS);
       expect(r.every(Number.isFinite)).toBe(true);
@@ -45,4 +46,26 @@ it("makes rings with frames at right angles, finite even where the wire stands s
     expect(data[3]).toBe(0);
     expect(data[(count - 1) * RING_FLOATS + 3]).toBe(0);
   }
+});
+
+it("samples wires that follow each other as it samples each by itself", () => {
+  const sampler = new Sampler(60);
+  const uniform = { closed: true, knots: Array.from({ length: 13 }, (_, i) => i), controlPoints };
+  const moved = { ...uniform, controlPoints: controlPoints.map((x) => x + 0.1) };
+  const uneven = { ...moved, knots: Array.from({ length: 13 }, (_, i) => i + (i % 6 === 4 ? 0.4 : 0)) };
+  const shorter = { closed: false, knots: [0, 0, 0, 0, 1, 2, 2, 2, 2], controlPoints: controlPoints.slice(4) };
+  const wires: readonly WireShape[] = [uniform, moved, uneven, { closed: false, knots, controlPoints }, shorter, uniform];
+  for (const wire of wires) expect(sampler.sample(wire)).toEqual(sampleWire(wire, samplesPerSpan(wire, 60)));
+});
+
+it("gives each ring its sample's tone, and goes once round where the wire is closed", () => {
+  const samples = sampleWire({ closed: true, knots: Array.from({ length: 13 }, (_, i) => i), controlPoints }, 4);
+  const tones = Array.from({ length: samples.count }, (_, k) => k / 32);
+  const { data, count } = buildRings(samples, tones);
+  const ring = (k: number): number[] => [...data.subarray(k * RING_FLOATS, (k + 1) * RING_FLOATS)];
+  expect(count).toBe(samples.count + 1);
+  for (let k = 0; k < samples.count; k++) expect(ring(k)[7]).toBe(k / 32);
+  // The same circle again, but no colour runs backwards over the last piece.
+  expect(ring(count - 1).slice(0, 7)).toEqual(ring(0).slice(0, 7));
+  expect(ring(count - 1)[7]).toBe(tones.at(-1));
 });

@@ -28,62 +28,129 @@ export function samplesPerSpan(wire: WireShape, total: number): number {
   return Math.max(2, Math.min(8, Math.round(total / Math.max(1, wire.controlPoints.length / 4))));
 }
 
-/** `perSpan` samples on every span of the knots, by de Boor's basis functions and their derivatives. */
+/** What of sampling depends on the knots alone, so that moving control points costs little. */
+interface Layout {
+  readonly closed: boolean;
+  readonly controls: number;
+  readonly perSpan: number;
+  readonly knots: Float64Array;
+  readonly count: number;
+  readonly strips: Samples["strips"];
+  readonly parameters: Float32Array;
+  /** The first of the four control points of each sample, their weights, and those of the derivative. */
+  readonly firsts: Int32Array;
+  readonly weights: Float64Array;
+  readonly slopes: Float64Array;
+}
+
+/** `perSpan` samples on every span of the knots. */
 export function sampleWire(wire: WireShape, perSpan: number): Samples {
-  const { knots, controlPoints } = wire;
-  const controls = Math.floor(controlPoints.length / 4);
+  const layout = layOut(wire, perSpan);
+  return combine(layout, wire.controlPoints, new Float32Array(4 * layout.count), new Float32Array(3 * layout.count));
+}
+
+/** Samples wires that follow each other, about `total` points each. What it gives is good until it is asked again. */
+export class Sampler {
+  private layout: Layout | null = null;
+  private points = new Float32Array(0);
+  private tangents = new Float32Array(0);
+
+  constructor(private readonly total: number) {}
+
+  sample(wire: WireShape): Samples {
+    const perSpan = samplesPerSpan(wire, this.total);
+    if (!this.layout || !fits(this.layout, wire, perSpan)) {
+      this.layout = layOut(wire, perSpan);
+      this.points = new Float32Array(4 * this.layout.count);
+      this.tangents = new Float32Array(3 * this.layout.count);
+    }
+    return combine(this.layout, wire.controlPoints, this.points, this.tangents);
+  }
+}
+
+function fits(layout: Layout, wire: WireShape, perSpan: number): boolean {
+  const { knots } = wire;
+  if (layout.closed !== wire.closed || layout.perSpan !== perSpan || layout.knots.length !== knots.length) return false;
+  if (layout.controls !== Math.floor(wire.controlPoints.length / 4)) return false;
+  for (let k = 0; k < knots.length; k++) if (layout.knots[k] !== knots[k]) return false;
+  return true;
+}
+
+function layOut(wire: WireShape, perSpan: number): Layout {
+  const knots = new Float64Array(wire.knots);
+  const controls = Math.floor(wire.controlPoints.length / 4);
   const lastSpan = wire.closed ? controls + DEGREE - 1 : controls - 1;
   const spans: number[] = [];
   for (let span = DEGREE; span <= lastSpan; span++) {
     if (knots[span + 1]! > knots[span]!) spans.push(span);
   }
-  const points: number[] = [];
-  const tangents: number[] = [];
-  const parameters: number[] = [];
+  // Four equal knots break the curve: the baselines of independent pieces are drawn as such.
+  const ends = spans.map((span, index) => index + 1 < spans.length ? spans[index + 1]! - span > DEGREE : !wire.closed);
+  const count = spans.length * perSpan + ends.filter(Boolean).length;
+  const parameters = new Float32Array(count);
+  const firsts = new Int32Array(count);
+  const weights = new Float64Array(4 * count);
+  const slopes = new Float64Array(4 * count);
   const strips: { first: number; last: number; closed: boolean }[] = [];
   const start = knots[DEGREE]!;
   const length = knots[lastSpan + 1]! - start || 1;
-  const weights = new Float64Array(4);
-  const slopes = new Float64Array(4);
-  let first = 0;
-
-  const add = (span: number, t: number): void => {
-    basis(knots, span, t, weights, slopes);
-    const point = [0, 0, 0, 0];
-    const tangent = [0, 0, 0];
-    for (let k = 0; k < 4; k++) {
-      const at = ((span - DEGREE + k) % controls) * 4;
-      for (let c = 0; c < 4; c++) point[c]! += weights[k]! * controlPoints[at + c]!;
-      for (let c = 0; c < 3; c++) tangent[c]! += slopes[k]! * controlPoints[at + c]!;
-    }
-    points.push(point[0]!, point[1]!, point[2]!, Math.max(0, point[3]! / 2));
-    tangents.push(tangent[0]!, tangent[1]!, tangent[2]!);
-    parameters.push((t - start) / length);
-  };
+  const [weight, slope] = [new Float64Array(4), new Float64Array(4)];
+  let [first, at] = [0, 0];
 
   spans.forEach((span, index) => {
-    const low = knots[span]!;
-    const high = knots[span + 1]!;
-    for (let k = 0; k < perSpan; k++) add(span, low + ((high - low) * k) / perSpan);
-    const next = spans[index + 1];
-    // Four equal knots break the curve: the baselines of independent pieces are drawn as such.
-    const breaks = next !== undefined && next - span > DEGREE;
-    if (breaks || (next === undefined && !wire.closed)) {
-      add(span, high);
-      strips.push({ first, last: parameters.length - 1, closed: false });
-      first = parameters.length;
-    } else if (next === undefined) {
-      strips.push({ first, last: parameters.length - 1, closed: true });
+    const [low, high] = [knots[span]!, knots[span + 1]!];
+    for (let k = 0; k < (ends[index] ? perSpan + 1 : perSpan); k++) {
+      const t = k === perSpan ? high : low + ((high - low) * k) / perSpan;
+      basis(knots, span, t, weight, slope);
+      weights.set(weight, 4 * at);
+      slopes.set(slope, 4 * at);
+      firsts[at] = span - DEGREE;
+      parameters[at++] = (t - start) / length;
     }
+    if (ends[index]) strips.push({ first, last: at - 1, closed: false });
+    else if (index + 1 === spans.length) strips.push({ first, last: at - 1, closed: true });
+    if (ends[index]) first = at;
   });
-  return {
-    count: parameters.length,
-    points: Float32Array.from(points),
-    tangents: Float32Array.from(tangents),
-    parameters: Float32Array.from(parameters),
-    strips,
-  };
+  return { closed: wire.closed, controls, perSpan, knots, count, strips, parameters, firsts, weights, slopes };
 }
+
+function combine(layout: Layout, controlPoints: ArrayLike<number>, points: Float32Array, tangents: Float32Array): Samples {
+  const { count, strips, parameters, controls, firsts, weights, slopes } = layout;
+  // One kind of array, whatever came: the loop below is the hottest of the page.
+  const control = new Float64Array(controlPoints);
+  for (let i = 0; i < count; i++) {
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    let width = 0;
+    let dx = 0;
+    let dy = 0;
+    let dz = 0;
+    for (let k = 0; k < 4; k++) {
+      const at = ((firsts[i]! + k) % controls) * 4;
+      const weight = weights[4 * i + k]!;
+      const slope = slopes[4 * i + k]!;
+      x += weight * control[at]!;
+      y += weight * control[at + 1]!;
+      z += weight * control[at + 2]!;
+      width += weight * control[at + 3]!;
+      dx += slope * control[at]!;
+      dy += slope * control[at + 1]!;
+      dz += slope * control[at + 2]!;
+    }
+    points[4 * i] = x;
+    points[4 * i + 1] = y;
+    points[4 * i + 2] = z;
+    points[4 * i + 3] = Math.max(0, width / 2);
+    tangents[3 * i] = dx;
+    tangents[3 * i + 1] = dy;
+    tangents[3 * i + 2] = dz;
+  }
+  return { count, points, tangents, parameters, strips };
+}
+
+const left = new Float64Array(DEGREE + 1);
+const right = new Float64Array(DEGREE + 1);
 
 /** The four cubic basis functions that do not vanish on the span, and their derivatives by t (The NURBS Book, A2.2). */
 export function basis(
@@ -93,8 +160,6 @@ export function basis(
   weights: Float64Array,
   slopes: Float64Array,
 ): void {
-  const left = [0, 0, 0, 0];
-  const right = [0, 0, 0, 0];
   weights[0] = 1;
   for (let degree = 1; degree <= DEGREE; degree++) {
     left[degree] = t - knots[span + 1 - degree]!;

@@ -8,7 +8,7 @@ import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
 import { orthographic, type Mat4, type Vec3 } from "./matrix";
 import { axesOf, HOME, Orbit, VIEW_POSES, type Pose } from "./orbit";
 import { RINGS_A_ROW, SHADOW_FRAGMENT, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
-import { samplesPerSpan, sampleWire, type WireShape } from "./shape";
+import { Sampler, type WireShape } from "./shape";
 import { buildRings, RING_FLOATS } from "./tube";
 
 export type ViewName = keyof typeof VIEW_POSES;
@@ -68,6 +68,7 @@ export class Stage {
   private look: Look;
   private wire: WireShape | null = null;
   private ringData: Float32Array<ArrayBuffer> | undefined;
+  private readonly sampler = new Sampler(SAMPLES);
   private ringCount = 0;
   private wireStale = true;
   private frame = 0;
@@ -209,7 +210,8 @@ export class Stage {
     if (!this.wire) {
       this.ringCount = 0;
     } else {
-      const rings = buildRings(sampleWire(this.wire, samplesPerSpan(this.wire, SAMPLES)), this.ringData);
+      const samples = this.sampler.sample(this.wire);
+      const rings = buildRings(samples, samples.parameters, this.ringData);
       this.ringCount = rings.count;
       const rows = Math.ceil(rings.count / RINGS_A_ROW);
       const floats = rows * RINGS_A_ROW * RING_FLOATS;

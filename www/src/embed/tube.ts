@@ -2,7 +2,7 @@
 
 import type { Samples } from "./shape";
 
-/** Floats for each ring: centre 3, radius, tangent 3, parameter, normal 3, lean. See `shaders.ts`. */
+/** Floats for each ring: centre 3, radius, tangent 3, tone, normal 3, lean. See `shaders.ts`. */
 export const RING_FLOATS = 12;
 const CAP_RINGS = 5;
 
@@ -15,95 +15,119 @@ export interface Rings {
   readonly data: Float32Array<ArrayBuffer>;
 }
 
-type Vector = [number, number, number];
-
 /**
- * Rings for every strip. The lean of the surface along the wire is the sine of its angle: ±1 at the poles, minus the
- * growth of the radius elsewhere. `data` is `reuse` where that is large enough.
+ * Rings for every strip. The tone of each sample, 0 to 1, says where on the colour map it is. The lean of the surface
+ * along the wire is the sine of its angle: ±1 at the poles, minus the growth of the radius elsewhere. `data` is `reuse`
+ * where that is large enough.
  */
-export function buildRings(samples: Samples, reuse?: Float32Array<ArrayBuffer>): Rings {
+export function buildRings(samples: Samples, tones: ArrayLike<number>, reuse?: Float32Array<ArrayBuffer>): Rings {
+  const { points } = samples;
   const count = samples.strips.reduce((sum, s) => sum + s.last - s.first + 1 + (s.closed ? 1 : 2 * CAP_RINGS), 0);
   const data = reuse && reuse.length >= count * RING_FLOATS ? reuse : new Float32Array(count * RING_FLOATS * 2);
+  const frame = new Frame();
   let at = 0;
 
-  const put = (centre: Vector, radius: number, tangent: Vector, normal: Vector, parameter: number, lean: number): void => {
-    data.set([...centre, radius, ...tangent, parameter, ...normal, lean], at);
+  /** A ring in the frame's plane, `shift` along its tangent from sample `k`. */
+  const put = (k: number, radius: number, shift: number, lean: number): void => {
+    data[at] = points[4 * k]! + frame.tx * shift;
+    data[at + 1] = points[4 * k + 1]! + frame.ty * shift;
+    data[at + 2] = points[4 * k + 2]! + frame.tz * shift;
+    data[at + 3] = radius;
+    data[at + 4] = frame.tx;
+    data[at + 5] = frame.ty;
+    data[at + 6] = frame.tz;
+    data[at + 7] = tones[k]!;
+    data[at + 8] = frame.nx;
+    data[at + 9] = frame.ny;
+    data[at + 10] = frame.nz;
+    data[at + 11] = lean;
     at += RING_FLOATS;
   };
-  const { points } = samples;
-  const centreOf = (k: number): Vector => [points[4 * k]!, points[4 * k + 1]!, points[4 * k + 2]!];
-  const radiusOf = (k: number): number => points[4 * k + 3]!;
+  /** From the pole to the rim at the start of a strip, and back at its end. */
+  const cap = (k: number, direction: 1 | -1): void => {
+    const radius = points[4 * k + 3]!;
+    for (let step = 0; step < CAP_RINGS; step++) {
+      const angle = (Math.PI / 2) * (direction < 0 ? 1 - step / CAP_RINGS : (step + 1) / CAP_RINGS);
+      const pole = direction < 0 ? step === 0 : step === CAP_RINGS - 1;
+      const along = direction * Math.sin(angle);
+      put(k, pole ? 0 : Math.cos(angle) * radius, along * radius, pole ? direction : along);
+    }
+  };
   const taper = (a: number, b: number): number => {
-    const run = Math.hypot(points[4 * b]! - points[4 * a]!, points[4 * b + 1]! - points[4 * a + 1]!, points[4 * b + 2]! - points[4 * a + 2]!);
-    return Math.max(-0.9, Math.min(0.9, (radiusOf(a) - radiusOf(b)) / Math.max(run, 1e-6)));
+    const dx = points[4 * b]! - points[4 * a]!;
+    const dy = points[4 * b + 1]! - points[4 * a + 1]!;
+    const dz = points[4 * b + 2]! - points[4 * a + 2]!;
+    const run = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    return Math.max(-0.9, Math.min(0.9, (points[4 * a + 3]! - points[4 * b + 3]!) / Math.max(run, 1e-6)));
   };
 
   for (const { first, last, closed } of samples.strips) {
-    const tangents = unitTangents(samples, first, last - first + 1);
-    const normals = transportedNormals(tangents);
-    const cap = (k: number, direction: 1 | -1): void => {
-      const [centre, radius, tangent] = [centreOf(k), radiusOf(k), tangents[k - first]!];
-      for (let step = 0; step < CAP_RINGS; step++) {
-        // From the pole to the rim at the start of a strip, and back at its end.
-        const angle = (Math.PI / 2) * (direction < 0 ? 1 - step / CAP_RINGS : (step + 1) / CAP_RINGS);
-        const [out, along] = [Math.cos(angle) * radius, direction * Math.sin(angle)];
-        const moved = centre.map((c, i) => c + tangent[i]! * along * radius) as Vector;
-        const pole = Math.abs(along) > 1 - 1e-9;
-        put(moved, pole ? 0 : out, tangent, normals[k - first]!, samples.parameters[k]!, pole ? direction : along);
-      }
-    };
-
-    if (!closed) cap(first, -1);
+    frame.restart();
     for (let k = first; k <= last; k++) {
-      const lean = taper(closed || k > first ? (k > first ? k - 1 : last) : k, closed || k < last ? (k < last ? k + 1 : first) : k);
-      put(centreOf(k), radiusOf(k), tangents[k - first]!, normals[k - first]!, samples.parameters[k]!, lean);
+      frame.moveTo(samples, k, Math.max(first, k - 1), Math.min(last, k + 1));
+      if (k === first && !closed) cap(k, -1);
+      const before = k > first ? k - 1 : closed ? last : k;
+      const after = k < last ? k + 1 : closed ? first : k;
+      put(k, points[4 * k + 3]!, 0, taper(before, after));
     }
-    // A closed strip ends with the last frame, not the first: both lie on the same circle, and this one does not twist.
-    if (closed) put(centreOf(first), radiusOf(first), tangents[0]!, normals.at(-1)!, 1, 0);
-    else cap(last, 1);
+    if (!closed) {
+      cap(last, 1);
+    } else {
+      // A closed strip ends with the last frame, not the first: both lie on the same circle, and this one does not twist.
+      frame.moveTo(samples, first, last, first + 1);
+      put(first, points[4 * first + 3]!, 0, taper(last, first + 1));
+      data[at - RING_FLOATS + 7] = tones[last]!;
+    }
   }
   return { count: at / RING_FLOATS, data };
 }
 
-/** Where the curve stands still its direction is taken from the neighbours, and failing that kept from before. */
-function unitTangents(samples: Samples, first: number, length: number): Vector[] {
-  const unit: Vector[] = [];
-  let previous: Vector = [1, 0, 0];
-  for (let i = 0; i < length; i++) {
-    const k = first + i;
-    let t: Vector = [samples.tangents[3 * k]!, samples.tangents[3 * k + 1]!, samples.tangents[3 * k + 2]!];
-    let norm = Math.hypot(...t);
-    if (!(norm > 1e-9)) {
-      const [a, b] = [first + Math.max(0, i - 1), first + Math.min(length - 1, i + 1)];
-      t = [0, 1, 2].map((c) => samples.points[4 * b + c]! - samples.points[4 * a + c]!) as Vector;
-      norm = Math.hypot(...t);
-    }
-    previous = norm > 1e-9 ? [t[0] / norm, t[1] / norm, t[2] / norm] : previous;
-    unit.push(previous);
-  }
-  return unit;
-}
+/** A tangent and a normal carried along a strip. */
+class Frame {
+  tx = 1;
+  ty = 0;
+  tz = 0;
+  nx = 0;
+  ny = 0;
+  nz = 0;
 
-/** Each normal is the one before it made perpendicular again: on a fine curve that turns with it and does not twist. */
-function transportedNormals(tangents: readonly Vector[]): Vector[] {
-  const normals: Vector[] = [];
-  let normal: Vector = [0, 0, 0];
-  for (const t of tangents) {
-    let n = perpendicular(normal, t);
-    if (!n) {
-      // Any axis that is far from the tangent.
-      const axis: Vector = Math.abs(t[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0];
-      n = perpendicular(axis, t) ?? [0, 0, 1];
-    }
-    normal = n;
-    normals.push(n);
+  restart(): void {
+    [this.tx, this.ty, this.tz] = [1, 0, 0];
+    this.nx = this.ny = this.nz = 0;
   }
-  return normals;
-}
 
-function perpendicular(v: Vector, t: Vector): Vector | null {
-  const along = v[0] * t[0] + v[1] * t[1] + v[2] * t[2];
-  const n: Vector = [v[0] - along * t[0], v[1] - along * t[1], v[2] - along * t[2]];
-  const norm = Math.hypot(...n);
-  return norm > 0.05 ? [n[0] / norm, n[1] / norm, n[2] / norm] : null;
+  /** To sample `k`; where the curve stands still its direction is that from `before` to `after`, and failing that kept. */
+  moveTo({ points, tangents }: Samples, k: number, before: number, after: number): void {
+    if (!this.point(tangents[3 * k]!, tangents[3 * k + 1]!, tangents[3 * k + 2]!)) {
+      const [a, b] = [4 * before, 4 * after];
+      this.point(points[b]! - points[a]!, points[b + 1]! - points[a + 1]!, points[b + 2]! - points[a + 2]!);
+    }
+    // The normal before made perpendicular again: on a fine curve that turns with it and does not twist.
+    if (this.straighten(this.nx, this.ny, this.nz)) return;
+    // Any axis that is far from the tangent.
+    if (Math.abs(this.tx) < 0.6) this.straighten(1, 0, 0);
+    else this.straighten(0, 1, 0);
+  }
+
+  private point(x: number, y: number, z: number): boolean {
+    const norm = Math.sqrt(x * x + y * y + z * z);
+    if (!(norm > 1e-9)) return false;
+    this.tx = x / norm;
+    this.ty = y / norm;
+    this.tz = z / norm;
+    return true;
+  }
+
+  private straighten(x: number, y: number, z: number): boolean {
+    const along = x * this.tx + y * this.ty + z * this.tz;
+    const px = x - along * this.tx;
+    const py = y - along * this.ty;
+    const pz = z - along * this.tz;
+    const norm = Math.sqrt(px * px + py * py + pz * pz);
+    if (!(norm > 0.05)) return false;
+    this.nx = px / norm;
+    this.ny = py / norm;
+    this.nz = pz / norm;
+    return true;
+  }
 }

@@ -25,7 +25,7 @@ export function wireProblem(form: Form, closed: boolean, knots: Float64Array, po
 }
 
 function knotProblem(form: Form, closed: boolean, count: number, knots: Float64Array): string | null {
-  if (knots.some((knot) => !(Math.abs(knot) <= MAX_KNOT))) return "a knot is not a usable number";
+  if (!knots.every((knot) => Math.abs(knot) <= MAX_KNOT)) return "a knot is not a usable number";
   const most = form === "bag" ? 4 : 3;
   // The four equal knots at a clamped end are no repetition.
   const [first, last] = closed || form === "bag" ? [0, knots.length] : [4, count];

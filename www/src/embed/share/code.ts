@@ -51,7 +51,8 @@ export function openShareCode(text: string): Opened {
 function unpack(packed: Uint8Array): Opened {
   try {
     const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed));
-    const controlPoints = Float64Array.from(points, (step, at) => step * steps[at % 4 === 3 ? 1 : 0]);
+    const controlPoints = new Float64Array(points.length);
+    for (let at = 0; at < points.length; at++) controlPoints[at] = points[at]! * steps[at % 4 === 3 ? 1 : 0];
     const knots = knotsFrom(code, closed);
     const problem = wireProblem(form, closed, knots, controlPoints);
     if (problem) throw new ShareCodeError(`This link holds no valid wire (${problem}); ask for a new link.`);

@@ -38,7 +38,7 @@ export class RangeDecoder {
     const one = models.one[index]!;
     const seen = models.seen[index]!;
     const bit = this.below(Math.max(24, Math.min(4096 - 24, one >> 4)));
-    const step = Math.trunc((((bit ? 65_535 : 0) - one) * 2) / (2 * seen + 3));
+    const step = ((((bit ? 65_535 : 0) - one) * 2) / (2 * seen + 3)) | 0;
     models.one[index] = Math.max(0, Math.min(65_535, one + step));
     models.seen[index] = Math.min(SLOWEST, seen + 1);
     return bit;
