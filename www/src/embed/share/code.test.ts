@@ -21,10 +21,7 @@ interface Fixture {
   readonly knots?: readonly number[];
 }
 
-const read = (path: string): string => readFileSync(join(import.meta.dirname, path), "utf8").trim();
-const fixtures = (JSON.parse(read("../testdata/codes.json")) as Fixture[]).map((fixture) =>
-  fixture.name === "example" ? { ...fixture, code: read("../../ui/example.code") } : fixture,
-);
+const fixtures = JSON.parse(readFileSync(join(import.meta.dirname, "../testdata/codes.json"), "utf8")) as Fixture[];
 const named = (name: string): Fixture => fixtures.find((fixture) => fixture.name === name)!;
 const sha256 = (numbers: ArrayLike<number>): string => createHash("sha256").update(new Uint8Array(Float64Array.from(numbers).buffer)).digest("hex");
 
