@@ -1,0 +1,124 @@
+/**
+ * What a sheet's layers come down to: ink laid onto a square, in plain arithmetic, the same in every browser.
+ *
+ * Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down; ink is 0 (ground) to 255.
+ */
+
+import type { Ink } from "../engine/protocol";
+import type { Lay, StrokeLayer } from "./paper";
+
+type Sheet = Uint8Array<ArrayBuffer>;
+
+/** More ink wins: drawings never darken where they cross. */
+export function over(sheet: Sheet, ink: Sheet): void {
+  for (let i = 0; i < sheet.length; i++) if (ink[i]! > sheet[i]!) sheet[i] = ink[i]!;
+}
+
+/** A round pen along a polyline. A pixel is covered by how far the pen's rim lies beyond its centre, up to one pixel. */
+export function stroke(sheet: Sheet, side: number, { points, widthPx, erase }: Pick<StrokeLayer, "points" | "widthPx" | "erase">): void {
+  const count = points.length / 2;
+  for (let i = 0; i < count; i++) {
+    const next = Math.min(i + 1, count - 1);
+    if (i === next && count > 1) break;
+    segment(sheet, side, points[2 * i]!, points[2 * i + 1]!, points[2 * next]!, points[2 * next + 1]!, widthPx / 2, erase);
+  }
+}
+
+function segment(sheet: Sheet, side: number, ax: number, ay: number, bx: number, by: number, radius: number, erase: boolean): void {
+  const [dx, dy] = [bx - ax, by - ay];
+  const perLength2 = dx || dy ? 1 / (dx * dx + dy * dy) : 0;
+  const reach = radius + 0.5;
+  const solid2 = Math.max(0, radius - 0.5) ** 2;
+  const [left, right] = span(ax, bx, reach, side);
+  const [top, bottom] = span(ay, by, reach, side);
+  for (let y = top; y < bottom; y++) {
+    const py = y + 0.5 - ay;
+    for (let x = left; x < right; x++) {
+      const px = x + 0.5 - ax;
+      const t = Math.min(1, Math.max(0, (px * dx + py * dy) * perLength2));
+      const [ex, ey] = [px - t * dx, py - t * dy];
+      const distance2 = ex * ex + ey * ey;
+      if (distance2 >= reach * reach) continue;
+      const covered = distance2 <= solid2 ? 255 : Math.min(255, Math.round(255 * (reach - Math.sqrt(distance2))));
+      const i = y * side + x;
+      sheet[i] = erase ? Math.min(sheet[i]!, 255 - covered) : Math.max(sheet[i]!, covered);
+    }
+  }
+}
+
+const span = (a: number, b: number, reach: number, side: number): readonly [number, number] => [
+  Math.max(0, Math.floor(Math.min(a, b) - reach)),
+  Math.min(side, Math.ceil(Math.max(a, b) + reach)),
+];
+
+/** Ink scaled onto the middle of a square, as large as the margin lets it be, never stretched. */
+export function fitted({ width, height, ink }: Ink, side: number, margin: number): Sheet {
+  const scale = (side * (1 - 2 * margin)) / Math.max(width, height);
+  // Even sides leave the same margin left and right, so that a turned sheet is the same sheet turned.
+  const [across, down] = [width, height].map((length) => 2 * Math.max(1, Math.round((length * scale) / 2))) as [number, number];
+  const rows = scaledRows(ink, width, height, across);
+  const scaled = transposed(scaledRows(transposed(rows, across, height), height, across, down), down, across);
+  const sheet = new Uint8Array(side * side);
+  const [left, top] = [(side - across) / 2, (side - down) / 2];
+  for (let y = 0; y < down; y++) {
+    for (let x = 0; x < across; x++) sheet[(top + y) * side + left + x] = Math.round(scaled[y * across + x]!);
+  }
+  return sheet;
+}
+
+/** Each row at another length, by a tent as wide as the coarser of the two grids: linear upwards, averaging downwards. */
+function scaledRows(source: ArrayLike<number>, width: number, height: number, target: number): Float32Array {
+  const result = new Float32Array(target * height);
+  const step = width / target;
+  const reach = Math.max(1, step);
+  for (let x = 0; x < target; x++) {
+    const centre = (x + 0.5) * step;
+    const first = Math.max(0, Math.ceil(centre - reach - 0.5));
+    const last = Math.min(width - 1, Math.floor(centre + reach - 0.5));
+    const weights = Array.from({ length: last - first + 1 }, (_, k) => Math.max(0, 1 - Math.abs(first + k + 0.5 - centre) / reach));
+    const total = weights.reduce((sum, weight) => sum + weight, 0);
+    for (let y = 0; y < height; y++) {
+      let sum = 0;
+      for (let k = 0; k < weights.length; k++) sum += weights[k]! * source[y * width + first + k]!;
+      result[y * target + x] = sum / total;
+    }
+  }
+  return result;
+}
+
+function transposed(source: Float32Array, width: number, height: number): Float32Array {
+  const result = new Float32Array(source.length);
+  for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) result[x * height + y] = source[y * width + x]!;
+  return result;
+}
+
+/** The sheet mirrored and turned; exact. */
+export function laid(sheet: Sheet, side: number, { mirrored, quarterTurns }: Lay): Sheet {
+  const turns = quarters(quarterTurns);
+  if (!mirrored && turns === 0) return sheet;
+  const result = new Uint8Array(sheet.length);
+  const last = side - 1;
+  for (let y = 0; y < side; y++) {
+    for (let x = 0; x < side; x++) {
+      let [u, v] = [mirrored ? last - x : x, y];
+      for (let turn = 0; turn < turns; turn++) [u, v] = [v, last - u];
+      result[v * side + u] = sheet[y * side + x]!;
+    }
+  }
+  return result;
+}
+
+/** A stroke's points mirrored and turned; exact for points on a binary grid. */
+export function laidPoints(points: Float32Array<ArrayBuffer>, side: number, { mirrored, quarterTurns }: Lay): Float32Array<ArrayBuffer> {
+  const result = points.slice();
+  for (let i = 0; i < points.length; i += 2) {
+    let [u, v] = [mirrored ? side - points[i]! : points[i]!, points[i + 1]!];
+    for (let turn = 0; turn < quarters(quarterTurns); turn++) [u, v] = [v, side - u];
+    result[i] = u;
+    result[i + 1] = v;
+  }
+  return result;
+}
+
+/** 0 to 3, whichever way and however often. */
+export const quarters = (turns: number): number => ((turns % 4) + 4) % 4;
