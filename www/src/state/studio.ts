@@ -1,92 +1,113 @@
 /** Everything a person can do on the page, and the state that follows from it. Knows no elements. */
 
-import { Cancelled, EngineClient } from "../engine/client";
-import type { ExportFormat, Finished, Frame, Ink, News, Picture, SettingRow, SettingValues, Target, View } from "../engine/protocol";
+import { openShareCode, ShareCodeError } from "../embed/share/code";
 import type { WireShape } from "../embed/shape";
-import { linkTo } from "./link";
+import { EngineClient, Problem } from "../engine/client";
+import type { Drawing, ExportFormat, Finished, Picture, Reading, SettingsTable, SettingValues } from "../engine/protocol";
+import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
+import { Edits } from "./edits";
+import { exampleCode, examplePapers } from "./example";
+import { sortFiles } from "./files";
+import { known, presetOf, problemWith, readFragment, writeFragment } from "./fragment";
+import { Keep, tenancy } from "./keep";
+import { mirrored, turned, type Paper, type PictureLayer } from "./paper";
 import { readPicture } from "./picture";
+import { NO_PREVIEW, Previewer, sheetsOf, type PadRemedy, type PreviewState } from "./previewer";
+import { READY, Runner, type RunState } from "./runner";
 import { Store } from "./store";
-import { asSentence, explain, placement } from "./words";
+import type { Track } from "./track";
+import { asSentence, explain, named } from "./words";
 
-export const SLOTS = ["front", "side", "top"] as const;
-export type Slot = (typeof SLOTS)[number];
+export { SLOTS, type Doc, type Made, type Slot } from "./document";
+export type { PadRemedy, PreviewBySlot } from "./previewer";
+export type { Phase, Progress } from "./runner";
 
-/** A drawing's place. */
-export interface Pad {
-  readonly picture: Picture | null;
-  /** What the core sees in it. */
-  readonly ink: Ink | null;
+/** What is passing about a pad. */
+export interface PadState {
+  readonly busy: boolean;
+  /** What was done to the last picture, or empty. */
   readonly note: string;
-  /** Where its drawing went in the last run, in words, if not simply where it was put. */
-  readonly placed: string;
   /** What was wrong with the last picture that was given; the one before is kept. */
   readonly problem: string;
-  readonly busy: boolean;
 }
 
-export type Phase = "idle" | "preparing" | "running" | "paused" | "finishing";
-
-export interface Progress {
-  readonly words: string;
-  /** 0 to 1. */
-  readonly share: number;
-  readonly secondsLeft: number | null;
-}
-
-export interface StudioState {
-  readonly pads: Readonly<Record<Slot, Pad>>;
-  readonly phase: Phase;
-  readonly progress: Progress;
-  /** [iteration, loss] since the run began. */
-  readonly losses: readonly (readonly [number, number])[];
-  /** Where the wire on the stage is to be looked at from. */
-  readonly views: readonly View[];
-  readonly targets: readonly Target[];
-  /** What a person should know about the drawings of this run. */
-  readonly notes: readonly string[];
-  readonly finished: Finished | null;
-  /** Where the wire on the stage is from. */
-  readonly source: "none" | "example" | "run" | "link";
-  /** The core's settings table, once it is loaded. */
-  readonly rows: readonly SettingRow[];
-  /** What differs from the defaults. */
-  readonly settings: SettingValues;
+export interface StudioState extends RunState, PreviewState {
+  readonly doc: Doc;
+  readonly pads: Readonly<Record<Slot, PadState>>;
+  /** The core's settings; null until it has told them. */
+  readonly table: SettingsTable | null;
+  /** Whether work is kept in this browser: by this tab, by another one, or not at all. */
+  readonly keeping: "here" | "elsewhere" | "off";
+  /** A run that a reload or a crash cut off and that can go on. */
+  readonly unfinished: { readonly iteration: number; readonly iterations: number } | null;
   readonly problem: string;
   /** A short word about what was just done, such as "Link copied". */
   readonly said: string;
+  /** What undo and redo would do, in words. */
+  readonly undo: string | null;
+  readonly redo: string | null;
 }
 
-const EMPTY_PAD: Pad = { picture: null, ink: null, note: "", placed: "", problem: "", busy: false };
-const READY: Progress = { words: "", share: 0, secondsLeft: null };
+const QUIET: PadState = { busy: false, note: "", problem: "" };
+const QUIET_PADS = { front: QUIET, side: QUIET, top: QUIET };
+const SAVE_AFTER_MS = 300;
+/** Settings that say what is made, not how long it takes: a preset leaves them alone. */
+const NOT_OF_PRESETS = ["seed", "backend"];
 
 export class Studio {
   readonly store = new Store<StudioState>({
-    pads: { front: EMPTY_PAD, side: EMPTY_PAD, top: EMPTY_PAD },
+    ...NO_PREVIEW,
+    doc: BLANK,
+    pads: QUIET_PADS,
     phase: "idle",
     progress: READY,
-    losses: [],
+    track: null,
+    looking: null,
     views: [],
     targets: [],
     notes: [],
-    finished: null,
-    source: "none",
-    rows: [],
-    settings: { preset: "best", bend: "little" },
+    table: null,
+    keeping: "here",
+    unfinished: null,
     problem: "",
     said: "",
+    undo: null,
+    redo: null,
   });
-  private readonly engine = new EngineClient((news) => this.hear(news));
+  private readonly edits = new Edits<Doc>(BLANK);
+  private readonly engine = new EngineClient((news) => this.runner.hear(news));
+  private readonly runner = new Runner(this.engine, {
+    get: () => this.store.get(),
+    set: (change) => this.store.set(change),
+    wire: (wire) => this.showWire(wire),
+    snapshot: (snapshot) => void this.writer?.addSnapshot(snapshot),
+  });
+  private readonly previewer = new Previewer(
+    (drawings: readonly Drawing[], settings) => this.engine.call("preview", { drawings, settings }),
+    (state) => this.store.set(state),
+  );
   private readonly wireListeners = new Set<(wire: WireShape | null) => void>();
   private wire: WireShape | null = null;
-  private fitStartMs = 0;
-  /** The pads whose pictures the present run was given, in its order. */
-  private given: readonly Slot[] = [];
-  /** The last finished wire as a share code. */
-  private kept = "";
+  private keep: Keep | null = null;
+  private takeOver: () => void = () => undefined;
+  private recalled: Promise<void> = Promise.resolve();
+  /** Whether there is anything of the person's own to keep. */
+  private touched = false;
+  private saving: ReturnType<typeof setTimeout> | undefined;
+  /** The run behind `unfinished`. */
+  private cutOff: Track | null = null;
+  /** Settings from the address, until the table says which of them there are. */
+  private asked: SettingValues = {};
 
-  constructor() {
+  /** Brings back what was kept, opens what the address asks for, or shows the example on a first visit. */
+  async begin(hash: string): Promise<void> {
+    // A link's wire is on the stage at once; into the document it comes as a step over what was kept.
+    const opened = this.openFragment(hash);
+    this.recalled = this.recall(!opened);
+    await this.recalled;
+    if (!opened && !this.doc.made && sheetsOf(this.doc).length === 0) await this.showExample();
     this.engine.call("settings", {}).then(
-      (rows) => this.store.set({ rows }),
+      (table) => this.learn(table),
       (error: unknown) => this.store.set({ problem: explain(error, "The engine") }),
     );
   }
@@ -98,123 +119,243 @@ export class Studio {
     return () => this.wireListeners.delete(listener);
   }
 
+  // Drawings
+
+  setPaper(slot: Slot, paper: Paper | null, label: string): void {
+    this.setPad(slot, QUIET);
+    this.edit(label, { papers: { ...this.doc.papers, [slot]: paper } });
+  }
+
   /** Puts a file into a pad. A bad one leaves what was there. */
-  async give(slot: Slot, file: Blob, name: string): Promise<void> {
-    this.setPad(slot, { busy: true, problem: "" });
+  async givePicture(slot: Slot, file: Blob, name: string): Promise<void> {
+    this.setPad(slot, { ...QUIET, busy: true });
     try {
-      const { width, height, rgba, note } = await readPicture(file, name);
-      const picture: Picture = { name: slot, width, height, rgba };
-      const ink = await this.engine.call("read", { picture: { ...picture, name }, settings: this.store.get().settings });
-      this.setPad(slot, { picture, ink, note, placed: "", busy: false });
+      const { note, ...pixels } = await readPicture(file, name);
+      const picture: Picture = { name, ...pixels };
+      const reading: Reading = { ink: "auto", threshold: 0 };
+      const found = await this.engine.call("read", { picture, reading });
+      const layer: PictureLayer = { kind: "picture", picture, reading, found, lay: { mirrored: false, quarterTurns: 0 } };
+      this.setPaper(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, `Put ${name} on the ${slot} pad`);
+      this.setPad(slot, { ...QUIET, note });
     } catch (error) {
-      this.setPad(slot, { busy: false, problem: explain(error, name) });
+      this.setPad(slot, { ...QUIET, problem: explain(error, name) });
     }
+  }
+
+  /** Finds the ink of the pad's picture in another way. */
+  async reread(slot: Slot, reading: Reading): Promise<void> {
+    const paper = this.doc.papers[slot];
+    const at = paper?.layers.findIndex((layer) => layer.kind === "picture") ?? -1;
+    const layer = paper?.layers[at] as PictureLayer | undefined;
+    if (!paper || !layer) return;
+    this.setPad(slot, { ...QUIET, busy: true });
+    try {
+      const found = await this.engine.call("read", { picture: layer.picture, reading });
+      // Unless the pad was drawn on meanwhile.
+      if (this.doc.papers[slot] === paper) {
+        this.edit("Find the ink in another way", {
+          papers: { ...this.doc.papers, [slot]: { ...paper, layers: paper.layers.with(at, { ...layer, reading, found }) } },
+        }, `reread ${slot}`);
+      }
+      this.setPad(slot, QUIET);
+    } catch (error) {
+      this.setPad(slot, { ...QUIET, problem: explain(error, layer.picture.name) });
+    }
+  }
+
+  mirror(slot: Slot): void {
+    this.change(slot, mirrored, `Mirror the ${slot} drawing`);
+  }
+
+  /** Counter-clockwise. */
+  turn(slot: Slot, quarterTurns: number): void {
+    this.change(slot, (paper) => turned(paper, quarterTurns), `Turn the ${slot} drawing`);
+  }
+
+  swap(a: Slot, b: Slot): void {
+    const { papers } = this.doc;
+    this.edit(`Swap ${a} and ${b}`, { papers: { ...papers, [a]: papers[b], [b]: papers[a] } });
   }
 
   clear(slot: Slot): void {
-    this.setPad(slot, EMPTY_PAD);
+    this.setPaper(slot, null, `Clear the ${slot} pad`);
+  }
+
+  applyRemedy({ kind, slots, quarterTurns }: PadRemedy): void {
+    const [a, b] = slots;
+    if (kind === "arrange") this.set("arrange", "on");
+    else if (kind === "mirror") this.mirror(a!);
+    else if (kind === "turn") this.turn(a!, quarterTurns);
+    else this.swap(a!, b!);
+  }
+
+  /** Files dropped or pasted anywhere: pictures into the empty pads first, then from the front on; a wire onto the stage. */
+  async takeFiles(files: readonly File[]): Promise<void> {
+    if (this.busy || files.length === 0) return;
+    const { pictures, wire, note } = sortFiles(files, SLOTS.length);
+    this.store.set({ problem: note });
+    if (wire && pictures.length === 0) await this.openFile(wire);
+    const { papers } = this.doc;
+    const order = [...SLOTS.filter((slot) => !papers[slot]), ...SLOTS.filter((slot) => papers[slot])];
+    // One after the other: each is an undo step of its own.
+    for (const [i, file] of pictures.entries()) await this.givePicture(order[i]!, file, file.name || `the ${order[i]!} picture`);
+  }
+
+  /** Text pasted or dropped on the page: a link is opened, for anything else there is a better place. */
+  takeText(text: string): void {
+    if (this.busy || !text.trim()) return;
+    const hash = /#\S*\bw=\S+/.exec(text)?.[0];
+    if (hash) this.openFragment(hash);
+    else this.warn("That was text. To make a wire of a word, open a pad, choose Type and write it there.");
+  }
+
+  // Settings
+
+  /** The value a run would take. */
+  value(name: string): string {
+    const { table, doc } = this.store.get();
+    return doc.settings[name] ?? (table ? presetOf(doc.settings, table)[name] : undefined) ?? "";
   }
 
   set(name: string, value: string): void {
-    this.store.set({ settings: { ...this.store.get().settings, [name]: value } });
+    const { table } = this.store.get();
+    if (table && problemWith(name, value, table)) return;
+    const { settings } = this.doc;
+    const kept = name === "preset" ? this.besidesPreset(settings) : settings;
+    const next = { ...kept, [name]: value };
+    const label = `Set ${name.replaceAll("_", " ")}`;
+    this.edit(label, { settings: table ? known(next, table) : next }, `set ${name}`);
   }
+
+  resetSettings(): void {
+    this.edit("Reset the settings", { settings: {} });
+  }
+
+  // Run
 
   async run(): Promise<void> {
-    const { pads, phase, settings } = this.store.get();
-    if (phase !== "idle") return;
-    this.given = SLOTS.filter((slot) => pads[slot].picture);
-    const pictures = this.given.map((slot) => pads[slot].picture!);
-    if (pictures.length < 2) {
-      this.store.set({ problem: "A wire needs at least two drawings. Put one into another pad, then press Run." });
+    if (this.busy) return;
+    const sheets = sheetsOf(this.doc);
+    if (sheets.length < 2) {
+      this.warn("A wire needs at least two drawings. Put one into another pad, then press Run.");
       return;
     }
-    this.store.set({
-      phase: "preparing",
-      progress: { words: "Reading the drawings", share: 0, secondsLeft: null },
-      losses: [],
-      notes: [],
-      finished: null,
-      problem: "",
-      said: "",
-    });
-    try {
-      const finished = await this.engine.call("run", { pictures, settings });
-      this.showWire(finished.wire);
-      this.store.set({ phase: "idle", progress: READY, finished, views: finished.views, targets: finished.targets });
-      this.kept = await this.engine.call("share", {});
-    } catch (error) {
-      const problem = error instanceof Cancelled ? "" : explain(error, "The run");
-      this.store.set({ phase: "idle", progress: READY, problem });
-      await this.bringBack();
-    }
-  }
-
-  /** The last finished wire again, after a run that came to nothing: the worker that held it may be gone. */
-  private async bringBack(): Promise<void> {
-    if (!this.kept) return;
-    const finished = await this.engine.call("open", { code: this.kept });
-    if (this.store.get().phase !== "idle") return;
-    this.showWire(finished.wire);
-    this.store.set({ finished, views: finished.views, targets: finished.targets });
-  }
-
-  /** Ends the run and keeps the best wire so far; while there is none yet it simply ends. */
-  stop(): void {
-    const { phase } = this.store.get();
-    if (phase === "preparing") {
-      this.engine.cancel();
-    } else if (phase === "running" || phase === "paused") {
-      this.store.set({ phase: "finishing" });
-      this.engine.control("stop");
-    }
+    await this.fit({ sheets, settings: this.doc.settings, iterations: 0, losses: [], events: [], snapshots: [] });
   }
 
   pause(): void {
-    const { phase } = this.store.get();
-    if (phase === "running") {
-      this.store.set({ phase: "paused" });
-      this.engine.control("pause");
-    } else if (phase === "paused") {
-      this.store.set({ phase: "running" });
-      this.engine.control("resume");
+    this.runner.pause();
+  }
+
+  step(): void {
+    this.runner.step();
+  }
+
+  stop(): void {
+    this.runner.stop();
+  }
+
+  /** Throws the run away; the wire before it is back. */
+  reset(): void {
+    this.runner.cancel();
+  }
+
+  lookAt(index: number | null): void {
+    if (this.busy) this.runner.lookAt(index);
+    else {
+      const snapshot = index === null ? null : this.store.get().track?.snapshots[index];
+      this.store.set({ looking: snapshot ? index : null });
+      this.showWire(snapshot?.wire ?? this.doc.made?.finished.wire ?? null);
     }
   }
 
-  /** Shows the wire that a code carries, unless another has been made meanwhile. */
-  async open(code: string, source: "link" | "example"): Promise<void> {
+  /** Goes on from a snapshot, with the settings as they are now; what came after it is dropped. */
+  async continueFrom(index: number): Promise<void> {
+    const track = this.runner.at(index);
+    if (!track) return;
+    this.runner.cancel();
+    await this.settled();
+    await this.resume(track);
+  }
+
+  async continueUnfinished(): Promise<void> {
+    const track = this.cutOff;
+    if (track && !this.busy) await this.resume({ ...track, settings: this.doc.settings });
+  }
+
+  dropUnfinished(): void {
+    this.offer(null);
+    void this.writer?.endRun();
+  }
+
+  undo(): void {
+    if (this.busy) return;
+    this.edits.undo();
+    this.shown(true);
+  }
+
+  redo(): void {
+    if (this.busy) return;
+    this.edits.redo();
+    this.shown(true);
+  }
+
+  startOver(): void {
+    this.edit("Start with empty pads", { papers: BLANK.papers });
+  }
+
+  // Opening
+
+  /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
+  openFragment(hash: string): boolean {
+    const { code, settings, newer } = readFragment(hash);
+    if (newer) {
+      this.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
+      return false;
+    }
+    this.asked = settings;
+    const { table } = this.store.get();
+    if (table) this.learn(table);
+    return code !== null && this.openCode(code, "link");
+  }
+
+  async showExample(): Promise<void> {
     try {
-      const finished = await this.engine.call("open", { code });
-      if (this.store.get().phase !== "idle") return;
-      this.showWire(finished.wire);
-      this.kept = code;
-      const { views, targets } = finished;
-      const said = source === "example" ? "An example, made from these three drawings. Run makes it again." : "";
-      this.store.set({ finished, source, views, targets, losses: [], notes: [], problem: "", said });
+      const [code, papers] = await Promise.all([exampleCode(), examplePapers()]);
+      if (this.busy || this.edits.undoes !== null) return;
+      this.edits.replace({ ...this.doc, papers });
+      if (!this.doc.made) this.openCode(code, "example");
+      else this.shown(false);
     } catch (error) {
-      this.store.set({ problem: explain(error, "The link") });
+      this.warn(explain(error, "The example"));
     }
   }
 
-  /** The last finished wire as a file. */
-  async export(format: ExportFormat): Promise<Blob | null> {
+  /** This tab keeps the project from now on. */
+  keepHere(): void {
+    this.touched = true;
+    this.takeOver();
+  }
+
+  // Taking along
+
+  /** The wire as a file; `view` is the one an SVG draws. */
+  async export(format: ExportFormat, view = "front"): Promise<Blob | null> {
+    const { made } = this.doc;
+    if (!made) return null;
     try {
-      const bytes = await this.engine.call("export", { format });
-      this.store.set({ problem: "" });
-      return new Blob([bytes], { type: format === "glb" ? "model/gltf-binary" : "application/json" });
+      const bytes = await this.engine.call("export", { file: made.finished.file, format, view });
+      return new Blob([bytes], { type: MIME[format] });
     } catch (error) {
-      this.store.set({ problem: explain(error, "The file") });
+      this.warn(explain(error, "The file"));
       return null;
     }
   }
 
-  /** A link that carries the whole wire. */
-  async link(page: string): Promise<string | null> {
-    try {
-      return linkTo(await this.engine.call("share", {}), page);
-    } catch (error) {
-      this.store.set({ problem: explain(error, "The link") });
-      return null;
-    }
+  /** A link that carries the whole wire and the settings. */
+  link(page: string): string | null {
+    const code = this.doc.made?.finished.code;
+    return code ? page.replace(/#.*$/, "") + writeFragment(code, this.doc.settings) : null;
   }
 
   say(said: string): void {
@@ -225,74 +366,194 @@ export class Studio {
     this.store.set({ problem });
   }
 
-  private setPad(slot: Slot, change: Partial<Pad>): void {
-    const { pads } = this.store.get();
-    this.store.set({ pads: { ...pads, [slot]: { ...pads[slot], ...change } } });
+  // Inside
+
+  /** What was kept, and who keeps it from now on. */
+  private async recall(show: boolean): Promise<void> {
+    const off = (): void => this.store.set({ keeping: "off" });
+    const keep = await Keep.open(off);
+    const kept = await keep?.load().catch(() => null);
+    if (!keep || !kept) return off();
+    this.keep = keep;
+    this.takeOver = tenancy((here) => {
+      if (this.store.get().keeping === "off") return;
+      this.store.set({ keeping: here ? "here" : "elsewhere" });
+      this.save();
+    });
+    if (kept.run) this.offer(kept.run);
+    if (!kept.doc) return;
+    this.edits.replace(kept.doc);
+    this.shown(show);
   }
 
-  private showWire(wire: WireShape): void {
+  private get doc(): Doc {
+    return this.edits.present;
+  }
+
+  private get busy(): boolean {
+    return this.store.get().phase !== "idle";
+  }
+
+  /** Where to write, if this tab is the one that does. */
+  private get writer(): Keep | null {
+    return this.store.get().keeping === "here" ? this.keep : null;
+  }
+
+  private edit(label: string, change: Partial<Doc>, kind = ""): void {
+    if (this.busy) return;
+    this.touched = true;
+    this.edits.apply(label, { ...this.doc, ...change }, kind);
+    this.shown("made" in change);
+  }
+
+  private change(slot: Slot, how: (paper: Paper) => Paper, label: string): void {
+    const paper = this.doc.papers[slot];
+    if (paper) this.setPaper(slot, how(paper), label);
+  }
+
+  /** The document as it is now, to everybody; its wire too where that may have changed. */
+  private shown(wireToo: boolean): void {
+    const { doc, edits } = this;
+    this.store.set({ doc, undo: edits.undoes, redo: edits.redoes });
+    if (wireToo) this.showMade(doc.made);
+    this.previewer.follow(doc);
+    clearTimeout(this.saving);
+    this.saving = setTimeout(() => this.save(), SAVE_AFTER_MS);
+  }
+
+  private save(): void {
+    // The example is at hand anyway, and what nobody touched is no project.
+    if (this.touched) void this.writer?.saveDoc(this.doc);
+  }
+
+  private showMade(made: Made | null): void {
+    const { views = [], targets = [], wire = null } = made?.finished ?? {};
+    this.store.set({ views, targets, track: made?.track ?? null, looking: null });
+    this.showWire(wire);
+  }
+
+  private showWire(wire: WireShape | null): void {
     this.wire = wire;
     for (const listener of this.wireListeners) listener(wire);
   }
 
-  private hear(news: News): void {
-    switch (news.news) {
-      case "progress":
-        this.store.set({ progress: { words: news.words, share: news.share, secondsLeft: null } });
-        break;
-      case "note":
-        this.store.set({ notes: [...this.store.get().notes, asSentence(news.words)] });
-        break;
-      case "targets":
-        this.fitStartMs = performance.now();
-        this.store.set({
-          targets: news.targets,
-          views: news.targets.map((target) => target.view),
-          phase: "running",
-          source: "run",
+  private setPad(slot: Slot, pad: PadState): void {
+    this.store.set({ pads: { ...this.store.get().pads, [slot]: pad } });
+  }
+
+  private learn(table: SettingsTable): void {
+    const asked = known(this.asked, table);
+    this.asked = {};
+    this.store.set({ table });
+    const { settings } = this.doc;
+    const next = Object.keys(asked).length ? asked : known(settings, table);
+    if (JSON.stringify(next) === JSON.stringify(settings)) return;
+    this.edits.replace({ ...this.doc, settings: next });
+    this.shown(false);
+  }
+
+  private besidesPreset(settings: SettingValues): SettingValues {
+    const rows = this.store.get().table?.rows ?? [];
+    const stays = (name: string): boolean => NOT_OF_PRESETS.includes(name) || rows.find((row) => row.name === name)?.group === "views";
+    return Object.fromEntries(Object.entries(settings).filter(([name]) => stays(name)));
+  }
+
+  private async resume(track: Track): Promise<void> {
+    const papers = Object.fromEntries(SLOTS.map((slot) => [slot, track.sheets.find((sheet) => sheet.slot === slot)?.paper ?? null]));
+    const same = SLOTS.every((slot) => papers[slot] === this.doc.papers[slot]);
+    if (!same) this.edit("Bring back the drawings of the run", { papers: papers as Doc["papers"] });
+    await this.fit({ ...track, settings: this.doc.settings });
+  }
+
+  private async fit(track: Track): Promise<void> {
+    this.offer(null);
+    this.store.set({ problem: "", said: "" });
+    void this.writer?.beginRun(track);
+    const startMs = performance.now();
+    try {
+      const finished = await this.runner.run(track);
+      if (finished) this.finish(finished, (performance.now() - startMs) / 1000);
+      else this.showMade(this.doc.made);
+    } catch (error) {
+      this.warn(explain(error, "The run"));
+      const { track } = this.store.get();
+      const went = track !== null && track.snapshots.length > 0;
+      this.showMade(this.doc.made);
+      if (went) return this.offer(track);
+    }
+    await this.writer?.endRun();
+  }
+
+  private finish(finished: Finished, seconds: number): void {
+    const { track } = this.store.get();
+    const stopped = track !== null && !track.events.some(({ kind }) => kind === "done");
+    this.edit("Make the wire", { made: { finished, source: "run", track, stopped, seconds } });
+  }
+
+  /** Once the run that was called off has ended. */
+  private settled(): Promise<void> {
+    return new Promise((resolve) => {
+      const stop = this.store.follow(({ phase }) => {
+        if (phase !== "idle") return;
+        setTimeout(() => {
+          stop();
+          resolve();
         });
-        for (const target of news.targets) {
-          const slot = this.given[target.source];
-          if (slot) this.setPad(slot, { placed: placement(slot, target) });
-        }
-        break;
-      case "frame":
-        this.hearFrame(news.frame);
-        // After the browser has drawn what came of it (or at once in a hidden tab, where it draws nothing).
-        afterDrawing(() => this.engine.control("seen"));
-        break;
+      });
+    });
+  }
+
+  private offer(track: Track | null): void {
+    this.cutOff = track;
+    const iteration = track?.snapshots.at(-1)?.iteration ?? 0;
+    this.store.set({ unfinished: track && { iteration, iterations: track.iterations } });
+  }
+
+  /** Shows the wire at once; the worker measures it when it comes to that. */
+  private openCode(code: string, source: "link" | "example"): boolean {
+    try {
+      const { wire, views } = openShareCode(code);
+      this.showWire(wire);
+      this.store.set({ views, targets: [], track: null, looking: null, problem: "" });
+    } catch (error) {
+      if (!(error instanceof ShareCodeError)) throw error;
+      this.warn(asSentence(error.message));
+      return false;
+    }
+    this.engine.call("open", { code }).then(
+      (finished) => this.recalled.then(() => this.opened(finished, source, "Open the link")),
+      // It is on the stage all the same.
+      (error: unknown) => error instanceof Problem || console.error(error),
+    );
+    return true;
+  }
+
+  private async openFile(file: File): Promise<void> {
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      this.opened(await this.engine.call("open", { file: bytes, name: file.name }), "file", `Open ${file.name}`);
+    } catch (error) {
+      this.warn(explain(error, named(file.name)));
     }
   }
 
-  private hearFrame(frame: Frame): void {
-    const { losses, phase } = this.store.get();
-    if (phase === "idle" || phase === "preparing") return;
-    this.showWire(frame.wire);
-    const share = frame.iteration / Math.max(1, frame.iterations);
-    const elapsedS = (performance.now() - this.fitStartMs) / 1000;
-    this.store.set({
-      losses: [...losses, [frame.iteration, frame.loss] as const],
-      progress: {
-        words: "Bending the wire into shape",
-        share,
-        secondsLeft: share > 0.05 ? Math.ceil((elapsedS * (1 - share)) / share) : null,
-      },
-    });
+  private opened(finished: Finished, source: Made["source"], label: string): void {
+    if (this.busy) return;
+    const made: Made = { finished, source, track: null, stopped: false, seconds: 0 };
+    if (source === "example") {
+      this.edits.replace({ ...this.doc, made });
+      this.shown(true);
+    } else {
+      this.edit(label, { made });
+    }
   }
 }
 
-/** Where drawing takes long, as long again is left for everything else. */
-function afterDrawing(action: () => void): void {
-  if (document.hidden) {
-    action();
-    return;
-  }
-  const askedMs = performance.now();
-  requestAnimationFrame(() =>
-    setTimeout(() => {
-      const tookMs = performance.now() - askedMs;
-      if (tookMs > 50) setTimeout(action, Math.min(1000, tookMs));
-      else action();
-    }),
-  );
-}
+const MIME: Readonly<Record<ExportFormat, string>> = {
+  glb: "model/gltf-binary",
+  stl: "model/stl",
+  obj: "model/obj",
+  svg: "image/svg+xml",
+  "wire.json": "application/json",
+  "bend.csv": "text/csv",
+};

@@ -27,6 +27,9 @@ export function explain(error: unknown, what: string): string {
   return `${what} did not work out. Nothing is lost; please try again.`;
 }
 
+/** What a file without a name is called. */
+export const named = (name: string): string => name || "The file";
+
 export const percent = (share: number): string => `${Math.round(100 * share)}%`;
 
 export function timeLeft(seconds: number): string {

@@ -1,0 +1,52 @@
+/**
+ * What a first visit shows: three drawings, and the wire made of them with the usual settings, as a share code
+ * (`wire4d multiview`, then `wire4d share`). Read without the core, so that it is there at once.
+ */
+
+import front from "../../../tests/drawings/t01-animals/front.png?url";
+import side from "../../../tests/drawings/t01-animals/side.png?url";
+import top from "../../../tests/drawings/t01-animals/top.png?url";
+import codeUrl from "./example.code?url";
+import { SLOTS, type Slot } from "./document";
+import { PAPER_PX, type Paper } from "./paper";
+
+const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
+  front: { url: front, label: "Cat" },
+  side: { url: side, label: "Bird" },
+  top: { url: top, label: "Fish" },
+};
+
+/** The longer side of a drawing on its sheet. */
+const FILLED_PX = 480;
+
+export async function exampleCode(): Promise<string> {
+  return (await fetched(codeUrl)).text().then((text) => text.trim());
+}
+
+export async function examplePapers(): Promise<Record<Slot, Paper>> {
+  const papers = await Promise.all(SLOTS.map(async (slot) => [slot, await paper(DRAWINGS[slot])] as const));
+  return Object.fromEntries(papers) as Record<Slot, Paper>;
+}
+
+/** Dark lines on white become ink; no finder is needed for drawings that we made ourselves. */
+async function paper({ url, label }: { url: string; label: string }): Promise<Paper> {
+  const bitmap = await createImageBitmap(await (await fetched(url)).blob());
+  const context = new OffscreenCanvas(PAPER_PX, PAPER_PX).getContext("2d", { willReadFrequently: true })!;
+  context.fillStyle = "#fff";
+  context.fillRect(0, 0, PAPER_PX, PAPER_PX);
+  context.imageSmoothingQuality = "high";
+  const scale = FILLED_PX / Math.max(bitmap.width, bitmap.height);
+  const [width, height] = [bitmap.width * scale, bitmap.height * scale];
+  context.drawImage(bitmap, (PAPER_PX - width) / 2, (PAPER_PX - height) / 2, width, height);
+  bitmap.close();
+  const { data } = context.getImageData(0, 0, PAPER_PX, PAPER_PX);
+  const ink = new Uint8Array(PAPER_PX * PAPER_PX);
+  for (let i = 0; i < ink.length; i++) ink[i] = 255 - data[4 * i]!;
+  return { label, layers: [{ kind: "stamp", label, ink }] };
+}
+
+async function fetched(url: string): Promise<Response> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: ${response.status}`);
+  return response;
+}

@@ -1,0 +1,24 @@
+/** What a person drops, pastes or chooses, sorted by what can be done with it. */
+
+const MOST_WIRE_BYTES = 50_000_000;
+
+export interface Sorted {
+  readonly pictures: readonly File[];
+  readonly wire: File | null;
+  /** What was left aside and why, in a sentence, or empty. */
+  readonly note: string;
+}
+
+/** At most `room` pictures are taken, and a wire only if there is nothing else. */
+export function sortFiles(files: readonly File[], room: number): Sorted {
+  const isWire = (file: File): boolean => /\.json$/i.test(file.name) && file.size <= MOST_WIRE_BYTES;
+  const isMoving = (file: File): boolean => /^(video|audio)\//.test(file.type);
+  const wires = files.filter(isWire);
+  const moving = files.filter(isMoving);
+  const pictures = files.filter((file) => !isWire(file) && !isMoving(file));
+  const notes: string[] = [];
+  if (moving.length) notes.push(`${moving[0]!.name} is a film or sound; take a still picture of it.`);
+  if (pictures.length > room) notes.push(`There are three pads; the first ${room === 3 ? "three" : room} of ${pictures.length} files were taken.`);
+  if (wires.length > 1) notes.push(`One wire at a time: ${wires[0]!.name} was opened.`);
+  return { pictures: pictures.slice(0, room), wire: wires[0] ?? null, note: notes.join(" ") };
+}
