@@ -1,0 +1,47 @@
+/** Finds icons by plain words. */
+
+export interface Icon {
+  readonly name: string;
+  readonly tags: readonly string[];
+}
+
+/** How well a word fits an icon: 0 is best. */
+const NO_MATCH = Infinity;
+
+/**
+ * The icons that fit every word of the query, best first: by name, then by the start of the name, then a part of the name,
+ * a tag, the start of a tag, and whatever else contains the word. Of equals, the shorter name.
+ */
+export function find<T extends Icon>(icons: readonly T[], query: string): readonly T[] {
+  const words = query.toLowerCase().split(/[\s-]+/u).filter(Boolean);
+  const whole = words.join("-");
+  return icons
+    .map((icon) => ({ icon, rank: icon.name === whole ? -1 : words.reduce((sum, word) => sum + rankOf(icon, word), 0) }))
+    .filter(({ rank }) => rank < NO_MATCH)
+    .sort((a, b) => a.rank - b.rank || a.icon.name.length - b.icon.name.length || (a.icon.name < b.icon.name ? -1 : 1))
+    .map(({ icon }) => icon);
+}
+
+function rankOf(icon: Icon, word: string): number {
+  let best = NO_MATCH;
+  for (const [i, form] of forms(word).entries()) best = Math.min(best, rankOfForm(icon, form) + (i ? 0.5 : 0));
+  return best;
+}
+
+function rankOfForm({ name, tags }: Icon, word: string): number {
+  if (name === word) return 0;
+  if (name.startsWith(word)) return 1;
+  if (name.split("-").includes(word)) return 2;
+  if (tags.includes(word)) return 3;
+  if (tags.some((tag) => tag.startsWith(word))) return 4;
+  return name.includes(word) || tags.some((tag) => tag.includes(word)) ? 5 : NO_MATCH;
+}
+
+/** As typed, and what it may be the plural of. */
+function forms(word: string): readonly string[] {
+  const result = [word];
+  if (word.length > 4 && word.endsWith("ies")) result.push(`${word.slice(0, -3)}y`);
+  if (word.length > 4 && /(?:s|x|z|ch|sh)es$/u.test(word)) result.push(word.slice(0, -2));
+  if (word.length > 3 && word.endsWith("s") && !word.endsWith("ss")) result.push(word.slice(0, -1));
+  return result;
+}
