@@ -1,70 +1,131 @@
 /** The built page on a local server and a Chromium to visit it, for all browser tests. */
 
-import { createReadStream, existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { mkdir } from "node:fs/promises";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { extname, join, normalize, resolve } from "node:path";
-import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import { gzipSync } from "node:zlib";
+import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Locator, type Page } from "playwright-core";
+import { suffer, type Hardship } from "./hardship";
+import { throttle } from "./throttle";
 
-const ROOT = resolve(import.meta.dirname, "../../..");
-export const DIST = join(ROOT, "dist");
+export const ROOT = resolve(import.meta.dirname, "../../..");
+/** The built page; the variable DIST names another one. */
+export const DIST = process.env["DIST"] ?? join(ROOT, "dist");
 export const DRAWINGS = join(ROOT, "tests/drawings");
 /** Where screenshots go, to be looked at. */
 export const SHOTS = join(ROOT, "target/screenshots");
 
 const TYPES: Readonly<Record<string, string>> = {
   ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
-  ".png": "image/png", ".svg": "image/svg+xml", ".woff2": "font/woff2",
+  ".png": "image/png", ".svg": "image/svg+xml", ".woff2": "font/woff2", ".webp": "image/webp", ".json": "application/json",
 };
+/** What a host need not compress once more. */
+const PACKED = new Set([".png", ".woff2", ".webp"]);
 
-/** A plain static server, as any host is; everything lies under `prefix`, and nothing else is there. */
-export async function serveDist(prefix: string): Promise<{ url: string; server: Server }> {
+/** One answer of the server: a file of the page and the bytes that its body took. */
+export interface Sent {
+  readonly file: string;
+  readonly bytes: number;
+}
+
+export interface Site {
+  readonly url: string;
+  readonly server: Server;
+  readonly sent: Sent[];
+}
+
+/** A plain static server that compresses, as any host does; everything lies under `prefix`, and nothing else is there. */
+export async function serveDist(prefix: string): Promise<Site> {
+  const sent: Sent[] = [];
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname);
     const inside = path.startsWith(prefix) ? normalize(path.slice(prefix.length)) || "index.html" : "..";
-    const file = join(DIST, inside.endsWith("/") || inside === "." ? "index.html" : inside);
+    const name = inside.endsWith("/") || inside === "." ? "index.html" : inside;
+    const file = join(DIST, name);
     if (inside.startsWith("..") || !existsSync(file)) {
       response.writeHead(404).end();
       return;
     }
-    response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" });
-    createReadStream(file).pipe(response);
+    const kind = extname(file);
+    const packs = !PACKED.has(kind) && /\bgzip\b/.test(String(request.headers["accept-encoding"] ?? ""));
+    const body = packs ? gzipSync(readFileSync(file)) : readFileSync(file);
+    sent.push({ file: name, bytes: body.length });
+    const headers = { "content-type": TYPES[kind] ?? "application/octet-stream", "content-length": body.length, vary: "accept-encoding" };
+    response.writeHead(200, packs ? { ...headers, "content-encoding": "gzip" } : headers).end(body);
   });
   await new Promise<void>((ready) => server.listen(0, "127.0.0.1", ready));
-  return { url: `http://127.0.0.1:${(server.address() as AddressInfo).port}${prefix}`, server };
+  return { url: `http://127.0.0.1:${(server.address() as AddressInfo).port}${prefix}`, server, sent };
 }
 
-export function launch(): Promise<Browser> {
+export interface LaunchOptions {
+  /** Off: a processor for which the browser refuses every wasm module that uses SIMD, also in workers. */
+  readonly simd?: boolean;
+  readonly args?: readonly string[];
+}
+
+export function launch({ simd = true, args = [] }: LaunchOptions = {}): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
     args: [
       "--no-sandbox", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
       "--disable-background-networking", "--disable-component-update", "--disable-sync",
+      ...(simd ? [] : ["--js-flags=--no-enable-sse4-1"]),
+      ...args,
     ],
   });
 }
 
-/** A page with a fresh profile. What it asks for and what goes wrong in it is written down. */
+/** A page, and what it asks for and what goes wrong in it, written down. */
 export interface Visit {
   readonly page: Page;
+  readonly url: string;
   readonly requests: string[];
   readonly faults: string[];
 }
 
-export async function visit(browser: Browser, url: string, options: BrowserContextOptions = {}): Promise<Visit> {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
+/** Playwright's choices (viewport, colorScheme, forcedColors, locale, hasTouch…) and ours. */
+export interface VisitOptions extends BrowserContextOptions, Hardship {
+  /** How many times slower the page's own thread is; workers keep their speed. */
+  readonly slower?: number;
+}
+
+/** A smallest window that must still do, in CSS pixels. */
+export const SMALL = { width: 320, height: 480 } as const;
+
+/**
+ * A visit with a fresh profile, or with a `contextWithProfile`'s; the latter has its own viewport and colours, so only
+ * the hardships and `slower` count then.
+ */
+export async function visit(where: Browser | BrowserContext, url: string, options: VisitOptions = {}): Promise<Visit> {
+  const context = "newContext" in where ? await contextWithProfile(where, options) : where;
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);
   const requests: string[] = [];
   const faults: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
+  page.on("websocket", (socket) => requests.push(socket.url()));
   page.on("pageerror", (error) => faults.push(String(error)));
   page.on("console", (message) => {
     if (message.type() === "error") faults.push(message.text());
   });
+  await suffer(page, options);
+  if (options.slower) await throttle(page, options.slower);
   await page.goto(url);
-  return { page, requests, faults };
+  return { page, url, requests, faults };
+}
+
+/** A profile that outlives its pages: what one visit keeps, the next one finds. */
+export function contextWithProfile(browser: Browser, options: VisitOptions = {}): Promise<BrowserContext> {
+  const { slower: _slower, rightToLeft: _rtl, storage: _storage, webgl2: _webgl2, worker: _worker, ...known } = options;
+  return browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...known });
+}
+
+/** What a visit asked of anybody but the folder that the page lies in. */
+export function requestsElsewhere({ url, requests }: Visit): string[] {
+  const home = new URL(".", url.replace(/[?#].*/, "")).href;
+  return requests.filter((asked) => !asked.startsWith(home) && !/^(blob|data):/.test(asked));
 }
 
 /** Puts a picture into a pad through its file field. */
@@ -72,7 +133,7 @@ export async function give(page: Page, pad: number, file: string | { name: strin
   await page.locator("drawing-pad").nth(pad).locator("input").setInputFiles(file);
 }
 
-export function pad(page: Page, index: number): ReturnType<Page["locator"]> {
+export function pad(page: Page, index: number): Locator {
   return page.locator("drawing-pad").nth(index);
 }
 
@@ -81,8 +142,37 @@ export async function padsReady(page: Page): Promise<void> {
   for (let i = 0; i < 3; i++) await pad(page, i).locator("canvas:not([hidden])").waitFor({ state: "visible" });
 }
 
+/** Sets a setting, whether it is a list or a row of radio buttons. */
 export async function choose(page: Page, setting: string, value: string): Promise<void> {
-  await page.locator(`select[name=${setting}]`).selectOption(value);
+  const list = page.locator(`select[name=${setting}]`);
+  const radio = page.locator(`input[type=radio][name=${setting}][value=${value}]`);
+  await list.or(radio).first().waitFor({ state: "attached" });
+  if (await list.count()) await list.selectOption(value);
+  else await radio.check({ force: true });
+}
+
+/** The button that starts a run. */
+export function runButton(page: Page): Locator {
+  return page.getByRole("button", { name: /^\s*(Run|Make it again)\s*$/ });
+}
+
+/** Starts a run and waits until it is under way. */
+export async function run(page: Page): Promise<void> {
+  await runButton(page).click();
+  await page.locator("[data-phase]:not([data-phase=idle])").first().waitFor({ state: "attached" });
+}
+
+/** Waits until nothing runs. */
+export async function idle(page: Page): Promise<void> {
+  await page.locator("[data-phase=idle]").first().waitFor({ state: "attached", timeout: 150_000 });
+}
+
+/** Waits until a fresh visit has all it asks for and shows its wire. */
+export async function settled(page: Page): Promise<void> {
+  await idle(page);
+  await page.waitForLoadState("networkidle");
+  await page.evaluate(() => document.fonts.ready);
+  await page.waitForTimeout(1000);
 }
 
 export async function shoot(page: Page, name: string): Promise<Buffer> {

@@ -1,0 +1,18 @@
+/** What axe finds wrong with a page for people who use it in other ways. */
+
+import axe from "axe-core";
+import type { Page } from "playwright-core";
+
+/** Serious and critical faults, a line each: the rule, what it asks for and the elements, through shadow roots. */
+export async function axeFaults(page: Page, exclude: readonly string[] = []): Promise<string[]> {
+  // Evaluated from outside the page, so that its content security policy stays as it is.
+  await page.evaluate(axe.source);
+  const violations = await page.evaluate(async (exclude) => {
+    const { axe } = window as unknown as { axe: typeof import("axe-core") };
+    const { violations } = await axe.run({ exclude: exclude.map((selector) => [selector]) }, { resultTypes: ["violations"] });
+    return violations.map(({ id, impact, help, nodes }) => ({ id, impact, help, targets: nodes.map((node) => node.target) }));
+  }, exclude);
+  return violations
+    .filter(({ impact }) => impact === "serious" || impact === "critical")
+    .map(({ id, impact, help, targets }) => `${id} (${impact}): ${help}: ${targets.map((target) => target.flat().join(" >> ")).join(", ")}`);
+}
