@@ -1,87 +1,152 @@
-import { css, html, LitElement, nothing } from "lit";
+import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { StudioState } from "../state/studio";
+import type { Studio, StudioState } from "../state/studio";
 import { timeLeft } from "../state/words";
 import { icons } from "./icons";
 import { controls } from "./shared";
 
-/** Run, pause and stop, and what is going on in words. Fires `run`, `pause` and `stop`. */
+const count = new Intl.NumberFormat("en");
+
+/** Run and what goes with it, and what is going on in words. Fires `draw` when a person wants to draw. */
 @customElement("run-panel")
 export class RunPanel extends LitElement {
+  @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
 
   static override styles = [
     controls,
     css`
+      :host {
+        display: block;
+      }
       .buttons {
         display: grid;
-        grid-template-columns: 1fr 1fr;
+        grid-template-columns: repeat(4, minmax(0, 1fr));
         gap: 8px;
       }
       button {
-        min-height: 44px;
-        font-weight: 600;
+        grid-column: span 2;
+        min-height: 40px;
+        padding: 0 8px;
+        white-space: nowrap;
       }
-      .run {
+      .primary,
+      .wide {
         grid-column: 1 / -1;
-        border-color: transparent;
-        background: var(--copper-fill);
-        color: var(--on-copper);
-        box-shadow: var(--shadow);
       }
-      .run:hover:not(:disabled) {
-        filter: brightness(1.08);
+      .primary,
+      .pause {
+        min-height: 48px;
+      }
+      .pause {
+        grid-column: span 2;
+        font-weight: 600;
       }
       .bar {
         height: 4px;
-        margin-top: 12px;
+        margin-block-start: 16px;
         overflow: hidden;
         border-radius: 2px;
         background: var(--line);
       }
       .bar i {
         display: block;
-        width: 100%;
         height: 100%;
         background: var(--copper);
         transform: scaleX(var(--share, 0));
         transform-origin: left;
         transition: transform 150ms linear;
       }
-      .words {
+      :host(:dir(rtl)) .bar i {
+        transform-origin: right;
+      }
+      /* Two lines are kept free, so that nothing below moves when a run starts. */
+      p {
         display: flex;
+        flex-wrap: wrap;
         justify-content: space-between;
-        gap: 8px;
-        min-height: 36px;
-        margin: 6px 0 0;
+        gap: 0 8px;
+        min-height: 37px;
+        margin: 8px 0 0;
         font-size: 13px;
+        line-height: 18px;
         color: var(--quiet);
+      }
+      .words {
+        flex: 1;
+        min-width: 60%;
+        overflow-wrap: anywhere;
       }
       .left {
         white-space: nowrap;
+      }
+      .steps {
+        flex-basis: 100%;
+        white-space: nowrap;
+      }
+      @media (forced-colors: active) {
+        .bar {
+          border: 1px solid CanvasText;
+        }
+        .bar i {
+          forced-color-adjust: none;
+          background: Highlight;
+        }
+      }
+      /* A strip between stage and sheet: one row of buttons, one line of words. */
+      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
+        :host {
+          display: flex;
+          flex-direction: column;
+        }
+        .bar {
+          order: -1;
+          margin: 0 -16px 8px;
+          border-radius: 0;
+        }
+        .buttons {
+          display: flex;
+        }
+        button {
+          flex: 1 1 auto;
+          min-height: 44px;
+        }
+        .primary {
+          flex-grow: 3;
+        }
+        p {
+          flex-wrap: nowrap;
+          min-height: 18px;
+          margin: 4px 0;
+        }
+        .words {
+          overflow: hidden;
+          text-overflow: ellipsis;
+          white-space: nowrap;
+        }
+        .steps {
+          position: absolute;
+          clip-path: inset(50%);
+        }
+      }
+      @media (max-width: 479px) {
+        .going button:not(.pause) span {
+          display: none;
+        }
       }
     `,
   ];
 
   override render() {
-    const { phase, progress, said } = this.state;
-    const going = phase !== "idle";
-    const words = going ? (phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : progress.words) : said || "Everything runs on this device.";
+    const { phase, progress } = this.state;
+    const percent = Math.round(100 * progress.share);
     return html`
-      <div class="buttons">
-        ${going
-          ? html`
-              <button ?disabled=${phase !== "running" && phase !== "paused"} @click=${() => this.fire("pause")}>
-                ${phase === "paused" ? html`${icons.run} Go on` : html`${icons.pause} Pause`}
-              </button>
-              <button ?disabled=${phase === "finishing"} @click=${() => this.fire("stop")}>${icons.stop} Stop</button>
-            `
-          : html`<button class="run" @click=${() => this.fire("run")}>${icons.run} Run</button>`}
-      </div>
-      <div class="bar" role="progressbar" aria-label="Progress" aria-valuenow=${Math.round(100 * progress.share)}><i></i></div>
-      <p class="words" data-phase=${phase}>
-        <span>${words}</span>
+      <div class="buttons ${phase === "idle" ? "" : "going"}">${phase === "idle" ? this.idle() : this.going()}</div>
+      <div class="bar" role="progressbar" aria-label="Progress of the run" aria-valuenow=${percent} aria-valuetext="${percent}%"><i></i></div>
+      <p data-phase=${phase}>
+        <span class="words">${this.words()}</span>
         <span class="left">${phase === "running" && progress.secondsLeft !== null ? timeLeft(progress.secondsLeft) : nothing}</span>
+        <span class="steps">${this.steps()}</span>
       </p>
     `;
   }
@@ -90,7 +155,55 @@ export class RunPanel extends LitElement {
     this.style.setProperty("--share", String(this.state.progress.share));
   }
 
-  private fire(name: "run" | "pause" | "stop"): void {
-    this.dispatchEvent(new Event(name));
+  private idle(): TemplateResult {
+    const { papers, made } = this.state.doc;
+    const example = made?.source === "example";
+    const blank = Object.values(papers).every((paper) => paper === null);
+    return html`
+      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example ? "Make it again" : "Run"}</button>
+      ${blank
+        ? html`<button class="wide" @click=${() => void this.studio.showExample()}>${icons.picture} Show the example</button>`
+        : html`<button class="wide" @click=${this.draw}>${icons.pencil} ${example ? "Draw your own" : "Start over"}</button>`}
+    `;
   }
+
+  private going(): TemplateResult {
+    const { phase } = this.state;
+    const fitting = phase === "running" || phase === "paused";
+    return html`
+      <button class="pause" ?disabled=${!fitting} @click=${() => this.studio.pause()}>
+        ${phase === "paused" ? html`${icons.run} <span>Go on</span>` : html`${icons.pause} <span>Pause</span>`}
+      </button>
+      <button class="pause stop" ?disabled=${phase === "finishing"} aria-label="Stop" title="Stop and keep the best so far" @click=${() => this.studio.stop()}>
+        ${icons.stop} <span>Stop</span>
+      </button>
+      <button ?disabled=${!fitting} aria-label="Step" title="One step, then pause" @click=${() => this.studio.step()}>${icons.step} <span>Step</span></button>
+      <button ?disabled=${phase === "finishing"} aria-label="Reset" title="Give the run up and go back to before it" @click=${() => this.studio.reset()}>
+        ${icons.reset} <span>Reset</span>
+      </button>
+    `;
+  }
+
+  private words(): string {
+    const { phase, progress, said, doc } = this.state;
+    if (phase === "finishing") return "Keeping the best wire so far";
+    if (phase === "paused") return "Paused";
+    if (phase !== "idle") return progress.words;
+    if (said) return said;
+    if (doc.made?.source === "example") return "An example, made from these three drawings. Nothing leaves this device.";
+    const given = Object.values(doc.papers).filter(Boolean).length;
+    return given < 2 ? "A wire needs at least two drawings." : "Ready. Nothing leaves this device.";
+  }
+
+  private steps(): string {
+    const { phase, progress } = this.state;
+    if ((phase !== "running" && phase !== "paused") || progress.iterations === 0) return "";
+    const rate = phase === "running" && progress.iterationsPerSecond > 0 ? `, ${Math.round(progress.iterationsPerSecond)} a second` : "";
+    return `Step ${count.format(progress.iteration)} of ${count.format(progress.iterations)}${rate}`;
+  }
+
+  private readonly draw = (): void => {
+    this.studio.startOver();
+    this.dispatchEvent(new Event("draw"));
+  };
 }

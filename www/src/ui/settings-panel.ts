@@ -1,68 +1,96 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { SettingRow, SettingValues } from "../engine/protocol";
+import type { SettingRow, SettingsTable, SettingValues } from "../engine/protocol";
+import type { Studio } from "../state/studio";
+import { foldStyle } from "./fold";
+import { icons } from "./icons";
+import "./setting-control";
+import { GROUPS, WORDS } from "./setting-words";
 import { controls } from "./shared";
 
-/** Friendlier words for the settings that matter most, in the order they are shown; ranges come from the core's table. */
-const SHOWN: Readonly<Record<string, { label: string; words: Readonly<Record<string, string>> }>> = {
-  preset: { label: "Quality", words: { fast: "Quick sketch", best: "Best wire", paper: "As in the paper" } },
-  bend: { label: "Bend the drawings to agree", words: { none: "Not at all", little: "A little", free: "Freely" } },
-};
+/** These stand beside Run. */
+const ELSEWHERE: readonly string[] = ["preset", "bend"];
 
-/** The main settings. Fires `choose` with a name and a value. */
+/** Every setting of the core's table, folded in groups. What is slotted in stands before Expert. */
 @customElement("settings-panel")
 export class SettingsPanel extends LitElement {
-  /** The core's table; until it is there, the choices are those that have words. */
-  @property({ attribute: false }) rows: readonly SettingRow[] = [];
-  @property({ attribute: false }) values: SettingValues = {};
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) table: SettingsTable | null = null;
+  /** What differs from the preset. */
+  @property({ attribute: false }) settings: SettingValues = {};
   @property({ type: Boolean }) locked = false;
 
   static override styles = [
     controls,
+    foldStyle,
     css`
       :host {
-        display: grid;
-        gap: 12px;
+        display: block;
       }
-      label {
-        display: grid;
+      .top {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        min-height: 32px;
+      }
+      .top button {
         gap: 4px;
-        font-size: 13px;
-        color: var(--quiet);
-      }
-      select {
-        width: 100%;
-        min-height: 40px;
+        min-height: 32px;
         padding: 0 8px;
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        background: var(--raised);
-        color: var(--ink);
-        font-size: 15px;
+        font-size: 13px;
+        color: var(--copper-text);
       }
-      @media (pointer: coarse) {
-        select {
-          min-height: 44px;
-        }
+      .count {
+        font-size: 13px;
+        color: var(--copper-text);
       }
     `,
   ];
 
   override render() {
-    return Object.entries(SHOWN).map(([name, { label, words }]) => {
-      const row = this.rows.find((row) => row.name === name);
-      return html`<label title=${row?.help ?? nothing}>
-        ${label}
-        <select name=${name} ?disabled=${this.locked} @change=${(event: Event) => this.change(name, (event.target as HTMLSelectElement).value)}>
-          ${(row?.choices ?? Object.keys(words)).map(
-            (value) => html`<option value=${value} ?selected=${this.values[name] === value}>${words[value] ?? value}</option>`,
-          )}
-        </select>
-      </label>`;
-    });
+    const changed = Object.keys(this.settings).filter((name) => !ELSEWHERE.includes(name));
+    return html`
+      <div class="top">
+        <h2>Settings</h2>
+        ${changed.length
+          ? html`<button class="plain" ?disabled=${this.locked} @click=${() => this.studio.resetSettings()}>${icons.reset} Reset all</button>`
+          : nothing}
+      </div>
+      ${this.table
+        ? Object.keys(GROUPS).map((group) => html`${group === "expert" ? html`<slot></slot>` : nothing}${this.group(group, changed)}`)
+        : html`<p class="small quiet">They come with the engine, which is still being loaded.</p><slot></slot>`}
+    `;
   }
 
-  private change(name: string, value: string): void {
-    this.dispatchEvent(new CustomEvent<[string, string]>("choose", { detail: [name, value] }));
+  private group(group: string, changed: readonly string[]) {
+    const rows = this.table!.rows.filter((row) => row.group === group && !ELSEWHERE.includes(row.name)).toSorted(byWords);
+    if (rows.length === 0) return nothing;
+    const count = rows.filter((row) => changed.includes(row.name)).length;
+    return html`<details>
+      <summary>${GROUPS[group]} ${count ? html`<span class="count">${count} changed</span>` : nothing} ${icons.more}</summary>
+      <div class="group">
+        ${rows.map(
+          (row) => html`<setting-control
+            data-setting=${row.name}
+            .row=${row}
+            .value=${this.studio.value(row.name)}
+            .usual=${this.usual(row.name)}
+            ?locked=${this.locked}
+            @choose=${(event: CustomEvent<string>) => this.studio.set(row.name, event.detail)}
+          ></setting-control>`,
+        )}
+      </div>
+    </details>`;
   }
+
+  private usual(name: string): string {
+    return this.table?.presets[this.studio.value("preset")]?.[name] ?? "";
+  }
+}
+
+/** In the order of the words table; settings it does not know come last. */
+function byWords(a: SettingRow, b: SettingRow): number {
+  const names = Object.keys(WORDS);
+  const place = (row: SettingRow): number => names.indexOf(row.name) + 1 || names.length + 1;
+  return place(a) - place(b);
 }

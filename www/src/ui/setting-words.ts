@@ -1,0 +1,56 @@
+/** Friendly words for the core's settings, by name. One that is missing here is shown by its own name. */
+
+export interface SettingWords {
+  readonly label: string;
+  /** Words for the choices, in the order they are offered. */
+  readonly choices?: Readonly<Record<string, string>>;
+  /** Least, most and step of a slider; the field beside it takes the whole range. Without it there is only the field. */
+  readonly slider?: readonly [min: number, max: number, step: number];
+}
+
+export const WORDS: Readonly<Record<string, SettingWords>> = {
+  preset: { label: "Quality", choices: { fast: "Quick sketch", best: "Best wire", paper: "As in the paper" } },
+  bend: { label: "Bend the drawings to agree", choices: { none: "Not at all", little: "A little", free: "Freely" } },
+
+  seed: { label: "Seed" },
+  backend: { label: "Computed on", choices: { auto: "The best there is", cpu: "Processor", gpu: "Graphics card" } },
+  iterations: { label: "Steps", slider: [50, 3000, 50] },
+  size: { label: "Picture size", slider: [64, 512, 32] },
+
+  form: { label: "Form", choices: { wire: "One smooth wire", chain: "Curves with corners", bag: "Loose curves" } },
+  control_points: { label: "Control points", slider: [0, 2000, 10] },
+  spacing: { label: "Distance between points", slider: [1, 12, 0.5] },
+  shorter: { label: "Shorter wire" },
+  min_width: { label: "Thinnest", slider: [0, 8, 0.25] },
+  max_width: { label: "Thickest", slider: [1, 40, 0.5] },
+
+  arrange: { label: "Arrange the drawings" },
+  may_swap: { label: "They may change places" },
+  may_mirror: { label: "They may be mirrored" },
+  may_turn: { label: "They may be turned", choices: { none: "None", top: "Only the top" } },
+  ink: { label: "Ink is", choices: { auto: "Guessed", dark: "Dark", light: "Light" } },
+  min_stroke: { label: "Thicken thin lines to", slider: [0, 12, 0.5] },
+  max_stretch: { label: "Most stretching", slider: [1, 2, 0.05] },
+
+  start: { label: "First wire", choices: { tree: "Grown through the drawings", hull: "Inside their volume", ball: "In a ball" } },
+  reinit: { label: "Reuse points that vanish" },
+  refine: { label: "Add points where needed" },
+  smoothness: { label: "Smoothness", slider: [0, 5, 0.1] },
+
+  position_rate: { label: "Rate of positions", slider: [0.05, 2, 0.05] },
+  width_rate: { label: "Rate of widths", slider: [0, 1, 0.01] },
+  pyramid: { label: "Picture pyramid", choices: { average: "Averages", gaussian: "Gaussian" } },
+  level_weight: { label: "Weight of coarse levels", slider: [0, 4, 0.1] },
+  coarse_share: { label: "Share at half size", slider: [0, 1, 0.05] },
+  samples: { label: "Samples", slider: [1, 16, 1] },
+  new_point: { label: "New points go", choices: { lacking: "Where ink is lacking", random: "Anywhere", midpoint: "Between neighbours" } },
+  grid: { label: "Grid of the first wire", slider: [16, 160, 16] },
+};
+
+export const GROUPS: Readonly<Record<string, string>> = { run: "Run", wire: "Wire", views: "Views", fit: "Fit", expert: "Expert" };
+
+export function wordsFor(name: string): SettingWords {
+  if (Object.hasOwn(WORDS, name)) return WORDS[name]!;
+  const spaced = name.replaceAll("_", " ");
+  return { label: spaced.charAt(0).toUpperCase() + spaced.slice(1) };
+}
