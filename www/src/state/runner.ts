@@ -46,7 +46,7 @@ export class Runner {
   private newest: WireShape | null = null;
 
   constructor(
-    private readonly engine: EngineClient,
+    private readonly engine: Pick<EngineClient, "call" | "control" | "cancel">,
     private readonly hooks: RunHooks,
   ) {}
 

@@ -5,13 +5,12 @@ import type { WireShape } from "../embed/shape";
 import { EngineClient, Problem } from "../engine/client";
 import type { Drawing, ExportFormat, Finished, Picture, Reading, SettingsTable, SettingValues } from "../engine/protocol";
 import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
-import { Edits } from "./edits";
 import { exampleCode, examplePapers } from "./example";
 import { sortFiles } from "./files";
 import { known, presetOf, problemWith, readFragment, writeFragment } from "./fragment";
-import { Keep, tenancy } from "./keep";
 import { mirrored, turned, type Paper, type PictureLayer } from "./paper";
 import { readPicture } from "./picture";
+import { NO_PROJECT, Project, type ProjectState } from "./project";
 import { NO_PREVIEW, Previewer, sheetsOf, type PadRemedy, type PreviewState } from "./previewer";
 import { READY, Runner, type RunState } from "./runner";
 import { Store } from "./store";
@@ -31,33 +30,26 @@ export interface PadState {
   readonly problem: string;
 }
 
-export interface StudioState extends RunState, PreviewState {
-  readonly doc: Doc;
+export interface StudioState extends ProjectState, RunState, PreviewState {
   readonly pads: Readonly<Record<Slot, PadState>>;
   /** The core's settings; null until it has told them. */
   readonly table: SettingsTable | null;
-  /** Whether work is kept in this browser: by this tab, by another one, or not at all. */
-  readonly keeping: "here" | "elsewhere" | "off";
   /** A run that a reload or a crash cut off and that can go on. */
   readonly unfinished: { readonly iteration: number; readonly iterations: number } | null;
   readonly problem: string;
   /** A short word about what was just done, such as "Link copied". */
   readonly said: string;
-  /** What undo and redo would do, in words. */
-  readonly undo: string | null;
-  readonly redo: string | null;
 }
 
 const QUIET: PadState = { busy: false, note: "", problem: "" };
 const QUIET_PADS = { front: QUIET, side: QUIET, top: QUIET };
-const SAVE_AFTER_MS = 300;
 /** Settings that say what is made, not how long it takes: a preset leaves them alone. */
 const NOT_OF_PRESETS = ["seed", "backend"];
 
 export class Studio {
   readonly store = new Store<StudioState>({
+    ...NO_PROJECT,
     ...NO_PREVIEW,
-    doc: BLANK,
     pads: QUIET_PADS,
     phase: "idle",
     progress: READY,
@@ -67,20 +59,22 @@ export class Studio {
     targets: [],
     notes: [],
     table: null,
-    keeping: "here",
     unfinished: null,
     problem: "",
     said: "",
-    undo: null,
-    redo: null,
   });
-  private readonly edits = new Edits<Doc>(BLANK);
+  private readonly project = new Project((state) => {
+    const before = this.store.get().doc;
+    this.store.set(state);
+    if (state.doc.made !== before.made && !this.opening) this.showMade();
+    this.previewer.follow(state.doc);
+  });
   private readonly engine = new EngineClient((news) => this.runner.hear(news));
   private readonly runner = new Runner(this.engine, {
     get: () => this.store.get(),
     set: (change) => this.store.set(change),
     wire: (wire) => this.showWire(wire),
-    snapshot: (snapshot) => void this.writer?.addSnapshot(snapshot),
+    snapshot: (snapshot) => this.project.addSnapshot(snapshot),
   });
   private readonly previewer = new Previewer(
     (drawings: readonly Drawing[], settings) => this.engine.call("preview", { drawings, settings }),
@@ -88,12 +82,9 @@ export class Studio {
   );
   private readonly wireListeners = new Set<(wire: WireShape | null) => void>();
   private wire: WireShape | null = null;
-  private keep: Keep | null = null;
-  private takeOver: () => void = () => undefined;
-  private recalled: Promise<void> = Promise.resolve();
-  /** Whether there is anything of the person's own to keep. */
-  private touched = false;
-  private saving: ReturnType<typeof setTimeout> | undefined;
+  private recalled: Promise<Track | null> = Promise.resolve(null);
+  /** A link's wire is on the stage and not yet in the document. */
+  private opening = false;
   /** The run behind `unfinished`. */
   private cutOff: Track | null = null;
   /** Settings from the address, until the table says which of them there are. */
@@ -103,8 +94,8 @@ export class Studio {
   async begin(hash: string): Promise<void> {
     // A link's wire is on the stage at once; into the document it comes as a step over what was kept.
     const opened = this.openFragment(hash);
-    this.recalled = this.recall(!opened);
-    await this.recalled;
+    this.recalled = this.project.recall();
+    this.offer(await this.recalled);
     if (!opened && !this.doc.made && sheetsOf(this.doc).length === 0) await this.showExample();
     this.engine.call("settings", {}).then(
       (table) => this.learn(table),
@@ -285,19 +276,15 @@ export class Studio {
 
   dropUnfinished(): void {
     this.offer(null);
-    void this.writer?.endRun();
+    this.project.endRun();
   }
 
   undo(): void {
-    if (this.busy) return;
-    this.edits.undo();
-    this.shown(true);
+    if (!this.busy) this.project.undo();
   }
 
   redo(): void {
-    if (this.busy) return;
-    this.edits.redo();
-    this.shown(true);
+    if (!this.busy) this.project.redo();
   }
 
   startOver(): void {
@@ -322,10 +309,10 @@ export class Studio {
   async showExample(): Promise<void> {
     try {
       const [code, papers] = await Promise.all([exampleCode(), examplePapers()]);
-      if (this.busy || this.edits.undoes !== null) return;
-      this.edits.replace({ ...this.doc, papers });
-      if (!this.doc.made) this.openCode(code, "example");
-      else this.shown(false);
+      // Unless the person was quicker.
+      if (this.busy || this.store.get().undo !== null) return;
+      this.project.replace({ papers });
+      this.openCode(code, "example");
     } catch (error) {
       this.warn(explain(error, "The example"));
     }
@@ -333,8 +320,12 @@ export class Studio {
 
   /** This tab keeps the project from now on. */
   keepHere(): void {
-    this.touched = true;
-    this.takeOver();
+    this.project.keepHere();
+  }
+
+  /** The page may be about to go. */
+  save(): void {
+    this.project.save();
   }
 
   // Taking along
@@ -368,42 +359,17 @@ export class Studio {
 
   // Inside
 
-  /** What was kept, and who keeps it from now on. */
-  private async recall(show: boolean): Promise<void> {
-    const off = (): void => this.store.set({ keeping: "off" });
-    const keep = await Keep.open(off);
-    const kept = await keep?.load().catch(() => null);
-    if (!keep || !kept) return off();
-    this.keep = keep;
-    this.takeOver = tenancy((here) => {
-      if (this.store.get().keeping === "off") return;
-      this.store.set({ keeping: here ? "here" : "elsewhere" });
-      this.save();
-    });
-    if (kept.run) this.offer(kept.run);
-    if (!kept.doc) return;
-    this.edits.replace(kept.doc);
-    this.shown(show);
-  }
-
   private get doc(): Doc {
-    return this.edits.present;
+    return this.project.doc;
   }
 
   private get busy(): boolean {
     return this.store.get().phase !== "idle";
   }
 
-  /** Where to write, if this tab is the one that does. */
-  private get writer(): Keep | null {
-    return this.store.get().keeping === "here" ? this.keep : null;
-  }
-
+  /** Edits wait for the end of a run. */
   private edit(label: string, change: Partial<Doc>, kind = ""): void {
-    if (this.busy) return;
-    this.touched = true;
-    this.edits.apply(label, { ...this.doc, ...change }, kind);
-    this.shown("made" in change);
+    if (!this.busy) this.project.edit(label, change, kind);
   }
 
   private change(slot: Slot, how: (paper: Paper) => Paper, label: string): void {
@@ -411,22 +377,8 @@ export class Studio {
     if (paper) this.setPaper(slot, how(paper), label);
   }
 
-  /** The document as it is now, to everybody; its wire too where that may have changed. */
-  private shown(wireToo: boolean): void {
-    const { doc, edits } = this;
-    this.store.set({ doc, undo: edits.undoes, redo: edits.redoes });
-    if (wireToo) this.showMade(doc.made);
-    this.previewer.follow(doc);
-    clearTimeout(this.saving);
-    this.saving = setTimeout(() => this.save(), SAVE_AFTER_MS);
-  }
-
-  private save(): void {
-    // The example is at hand anyway, and what nobody touched is no project.
-    if (this.touched) void this.writer?.saveDoc(this.doc);
-  }
-
-  private showMade(made: Made | null): void {
+  private showMade(): void {
+    const { made } = this.doc;
     const { views = [], targets = [], wire = null } = made?.finished ?? {};
     this.store.set({ views, targets, track: made?.track ?? null, looking: null });
     this.showWire(wire);
@@ -447,9 +399,7 @@ export class Studio {
     this.store.set({ table });
     const { settings } = this.doc;
     const next = Object.keys(asked).length ? asked : known(settings, table);
-    if (JSON.stringify(next) === JSON.stringify(settings)) return;
-    this.edits.replace({ ...this.doc, settings: next });
-    this.shown(false);
+    if (JSON.stringify(next) !== JSON.stringify(settings)) this.project.replace({ settings: next });
   }
 
   private besidesPreset(settings: SettingValues): SettingValues {
@@ -468,20 +418,20 @@ export class Studio {
   private async fit(track: Track): Promise<void> {
     this.offer(null);
     this.store.set({ problem: "", said: "" });
-    void this.writer?.beginRun(track);
+    this.project.beginRun(track);
     const startMs = performance.now();
     try {
       const finished = await this.runner.run(track);
       if (finished) this.finish(finished, (performance.now() - startMs) / 1000);
-      else this.showMade(this.doc.made);
+      else this.showMade();
     } catch (error) {
       this.warn(explain(error, "The run"));
       const { track } = this.store.get();
       const went = track !== null && track.snapshots.length > 0;
-      this.showMade(this.doc.made);
+      this.showMade();
       if (went) return this.offer(track);
     }
-    await this.writer?.endRun();
+    this.project.endRun();
   }
 
   private finish(finished: Finished, seconds: number): void {
@@ -520,12 +470,22 @@ export class Studio {
       this.warn(asSentence(error.message));
       return false;
     }
-    this.engine.call("open", { code }).then(
-      (finished) => this.recalled.then(() => this.opened(finished, source, "Open the link")),
-      // It is on the stage all the same.
-      (error: unknown) => error instanceof Problem || console.error(error),
-    );
+    this.opening = true;
+    void this.adopt(code, source);
     return true;
+  }
+
+  private async adopt(code: string, source: "link" | "example"): Promise<void> {
+    try {
+      const finished = await this.engine.call("open", { code });
+      await this.recalled;
+      this.opening = false;
+      this.opened(finished, source, "Open the link");
+    } catch (error) {
+      // It is on the stage all the same.
+      this.opening = false;
+      if (!(error instanceof Problem)) console.error(error);
+    }
   }
 
   private async openFile(file: File): Promise<void> {
@@ -541,8 +501,7 @@ export class Studio {
     if (this.busy) return;
     const made: Made = { finished, source, track: null, stopped: false, seconds: 0 };
     if (source === "example") {
-      this.edits.replace({ ...this.doc, made });
-      this.shown(true);
+      this.project.replace({ made });
     } else {
       this.edit(label, { made });
     }

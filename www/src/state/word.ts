@@ -51,19 +51,51 @@ export async function write(text: string, { font, bold }: Lettering): Promise<Wr
       descent: measured.actualBoundingBoxDescent,
     };
   });
-  const room = PAPER_PX - 2 * MARGIN_PX;
-  const scale = Math.min(room / block.width, room / block.height, LARGEST_PX / MEASURED_PX);
-  if (!Number.isFinite(scale) || scale <= 0) return { ink: new Uint8Array(PAPER_PX ** 2), unknown: graphemes(text.trim()) };
-  context.font = fontOf(MEASURED_PX * scale);
-  const x = PAPER_PX / 2 - scale * (block.left + block.width / 2);
-  const y = PAPER_PX / 2 - scale * (block.top + block.height / 2);
+  let place = placed({ left: block.left, top: block.top, right: block.left + block.width, bottom: block.top + block.height });
   const inColour = (colour: string): Uint8ClampedArray => {
     context.clearRect(0, 0, PAPER_PX, PAPER_PX);
+    context.font = fontOf(MEASURED_PX * place.scale);
     context.fillStyle = colour;
-    for (const line of block.lines) context.fillText(line.text, x, y + scale * line.baseline);
+    for (const line of block.lines) context.fillText(line.text, place.x, place.y + place.scale * line.baseline);
     return context.getImageData(0, 0, PAPER_PX, PAPER_PX).data;
   };
+  const bounds = inkBounds(inColour("black"));
+  if (!bounds) return { ink: new Uint8Array(PAPER_PX ** 2), unknown: graphemes(text.trim()) };
+  // Emoji say that they are larger than what is to be seen of them.
+  const { scale, x, y } = place;
+  place = placed({
+    left: (bounds.left - x) / scale,
+    right: (bounds.right - x) / scale,
+    top: (bounds.top - y) / scale,
+    bottom: (bounds.bottom - y) / scale,
+  });
   return { ink: glyphInk(inColour("black"), inColour("white"), PAPER_PX), unknown: unknownIn(text, fontOf(32)) };
+}
+
+interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** Where to write what fills that box at MEASURED_PX, and how many times as large, to fill the sheet. */
+function placed({ left, top, right, bottom }: Box): { readonly scale: number; readonly x: number; readonly y: number } {
+  const fits = (PAPER_PX - 2 * MARGIN_PX) / Math.max(right - left, bottom - top);
+  const scale = fits > 0 ? Math.min(fits, LARGEST_PX / MEASURED_PX) : 1;
+  return { scale, x: PAPER_PX / 2 - (scale * (left + right)) / 2, y: PAPER_PX / 2 - (scale * (top + bottom)) / 2 };
+}
+
+function inkBounds(rgba: Uint8ClampedArray): Box | null {
+  let [left, top, right, bottom] = [PAPER_PX, PAPER_PX, 0, 0];
+  for (let y = 0; y < PAPER_PX; y++) {
+    for (let x = 0; x < PAPER_PX; x++) {
+      if (rgba[4 * (y * PAPER_PX + x) + 3]! < 16) continue;
+      [left, right] = [Math.min(left, x), Math.max(right, x + 1)];
+      [top, bottom] = [Math.min(top, y), Math.max(bottom, y + 1)];
+    }
+  }
+  return right > left ? { left, top, right, bottom } : null;
 }
 
 const RIGHT_TO_LEFT = /[\p{Script=Hebrew}\p{Script=Arabic}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Adlam}]/u;
