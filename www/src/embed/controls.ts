@@ -1,11 +1,13 @@
 /** Mouse, touch and keys turned into turns, zooms and pans. */
 
+import type { ViewName } from "./orbit";
+
 export interface Holds {
   turn(azimuthRad: number, elevationRad: number): void;
   zoom(factor: number): void;
   /** By shares of the picture's half height. */
   pan(right: number, up: number): void;
-  view(name: "front" | "side" | "top" | "room"): void;
+  view(name: ViewName): void;
 }
 
 const RAD_PER_PX = 0.0075;

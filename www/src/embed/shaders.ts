@@ -3,13 +3,16 @@
 /** Rings in one row of their texture; three texels each. */
 export const RINGS_A_ROW = 256;
 
+/** Side of the pictures of shadows. */
+export const SHADOW_SIZE = 512;
+
 /** Vertices that one piece between two rings takes in the strip, with one doubled at either end to part the pieces. */
 export const verticesAPiece = (sides: number): number => 2 * sides + 4;
 
 /** Rings from a texture, expanded to a tube: one triangle strip, its vertices known by their number alone. */
 export const TUBE_VERTEX = `#version 300 es
 precision highp float;
-uniform sampler2D rings;      // centre, radius | tangent, parameter | normal, lean
+uniform sampler2D rings;      // centre, radius | tangent, tone | normal, lean
 uniform mat4 clipFromWorld;
 uniform vec3 eye;
 uniform float worldPerPixel;  // at distance 1 in perspective, everywhere when it is orthographic
@@ -18,7 +21,7 @@ uniform float swell;          // makes up for the flat sides of a coarse tube
 uniform int sides;
 out vec3 world;
 out vec3 normal;
-out float parameter;
+out float tone;
 void main() {
   int inPiece = gl_VertexID % (2 * sides + 4);
   int corner = clamp(inPiece - 1, 0, 2 * sides + 1);
@@ -35,59 +38,63 @@ void main() {
   float least = 0.55 * worldPerPixel * mix(1.0, distance(eye, r0.xyz), perspective);
   world = r0.xyz + outward * max(r0.w * swell, least * upright);
   normal = upright * outward + lean * r1.xyz;
-  parameter = r1.w;
+  tone = r1.w;
   gl_Position = clipFromWorld * vec4(world, 1.0);
 }`;
 
-/** Flat white: what a shadow is made of. */
+/** What a shadow is made of: that there is something, and how near to the wall it is, 0 to 1. Drawn with the larger kept. */
 export const SHADOW_FRAGMENT = `#version 300 es
 precision highp float;
+in vec3 world;
+uniform vec3 inward;
+uniform float away;
 out vec4 colour;
-void main() { colour = vec4(1.0); }`;
+void main() { colour = vec4(1.0, clamp(1.0 - (dot(world, inward) + away) / (2.0 * away), 0.02, 1.0), 0.0, 1.0); }`;
 
-/** Warm metal under three soft lights: front, side, above. */
+/** Metal or enamel under three soft lights: front, side, above. */
 export const TUBE_FRAGMENT = `#version 300 es
 precision highp float;
 in vec3 world;
 in vec3 normal;
-in float parameter;
+in float tone;
 uniform vec3 eye;
-uniform vec3 metal;
+uniform vec3 ramp[5];
 uniform vec3 sky;
 uniform vec3 ground;
-uniform float byParameter;
+uniform float gloss;
 out vec4 colour;
 
-float softLight(vec3 d, vec3 towards, float size, float edge) {
+float softBox(vec3 d, vec3 towards, float size, float edge) {
   return smoothstep(1.0 - size - edge, 1.0 - size + edge, dot(d, normalize(towards)));
 }
 
-// What a ray that leaves the wire meets: a bright room with three soft boxes.
+// What a ray that leaves the wire meets: a quiet room with three soft boxes.
 vec3 room(vec3 d, float blur) {
-  vec3 base = mix(ground, sky, smoothstep(-0.7, 0.7, d.y));
-  float boxes = 2.6 * softLight(d, vec3(0.25, 0.45, 1.0), 0.10, 0.06 + blur)
-              + 1.6 * softLight(d, vec3(1.0, 0.35, 0.1), 0.08, 0.06 + blur)
-              + 2.2 * softLight(d, vec3(-0.1, 1.0, 0.15), 0.10, 0.08 + blur);
+  vec3 base = mix(ground, sky, smoothstep(-0.65, 0.75, d.y)) * 0.8;
+  float boxes = 2.9 * softBox(d, vec3(0.25, 0.45, 1.0), 0.09, 0.05 + blur)
+              + 1.9 * softBox(d, vec3(1.0, 0.4, 0.1), 0.07, 0.05 + blur)
+              + 2.6 * softBox(d, vec3(-0.15, 1.0, 0.1), 0.09, 0.06 + blur);
   return base + vec3(1.0, 0.97, 0.92) * boxes;
-}
-
-// Colour-blind-safe ramp (after viridis, a quadratic fit), for telling the wire's beginning from its end.
-vec3 ramp(float t) {
-  return vec3(0.28 - 0.55 * t + 1.22 * t * t, 0.01 + 1.32 * t - 0.45 * t * t, 0.33 + 0.95 * t - 1.15 * t * t);
 }
 
 void main() {
   vec3 n = normalize(normal);
   vec3 v = normalize(eye - world);
-  vec3 base = mix(metal, ramp(parameter), byParameter);
+  float place = clamp(tone, 0.0, 1.0) * 3.999;
+  int stop = int(place);
+  vec3 base = mix(ramp[stop], ramp[stop + 1], place - float(stop));
   float facing = clamp(dot(n, v), 0.0, 1.0);
-  vec3 fresnel = base + (1.0 - base) * pow(1.0 - facing, 5.0) * 0.7;
-  vec3 mirrored = room(reflect(-v, n), 0.18);
-  vec3 diffuse = room(n, 0.9) * base;
-  // Nearer the floor and the walls less light arrives.
-  float open = 0.72 + 0.28 * smoothstep(-1.1, 0.6, min(world.y, min(world.x, world.z) + 0.5));
-  vec3 light = (0.62 * mirrored * fresnel + 0.36 * diffuse) * open;
-  light = light / (1.0 + 0.22 * light);
+  float grazing = pow(1.0 - facing, 5.0);
+  // Metal tints what it mirrors; enamel mirrors a little white and shows its own colour below.
+  vec3 mirror = mix(vec3(0.045), base, smoothstep(0.3, 0.7, gloss));
+  mirror += (1.0 - mirror) * grazing * 0.6;
+  vec3 mirrored = room(reflect(-v, n), 0.13) * mirror * mix(0.9, 0.66, gloss);
+  vec3 own = room(n, 0.9) * base * mix(0.62, 0.26, gloss);
+  // Rounder to the eye: the rim turns away from the light. And nearer the walls less of it arrives.
+  float rim = mix(0.72, 1.0, smoothstep(0.0, 0.55, facing));
+  float open = 0.74 + 0.26 * smoothstep(-1.1, 0.6, min(world.y, min(world.x, world.z) + 0.5));
+  vec3 light = (mirrored + own) * rim * open;
+  light = light / (1.0 + 0.2 * light);
   colour = vec4(pow(light, vec3(1.0 / 2.2)), 1.0);
 }`;
 
@@ -116,33 +123,42 @@ uniform mat3 axes;
 uniform float away;
 uniform float shadowExtent;
 uniform vec3 wall;
+uniform vec3 lit;
 uniform vec3 shade;
 uniform float shown;
 uniform float brightness;
 out vec4 colour;
 
-float covered(vec2 uv, float level) {
+vec2 caster(vec2 uv, float level) {
   vec2 inside = step(abs(uv - 0.5), vec2(0.5));
-  return textureLod(shadow, uv, level).r * inside.x * inside.y;
+  return textureLod(shadow, uv, level).rg * inside.x * inside.y;
 }
 
 void main() {
   vec2 uv = onWall / (2.0 * shadowExtent) + 0.5;
-  // A soft edge: blurred samples round the middle one, where a much smaller copy says that there is anything at all.
+  // A soft edge, softer the farther from the wall the wire hangs there. A much smaller copy says whether it does at all.
   float dark = 0.0;
-  if (covered(uv, 4.0) > 0.0) {
-    dark = covered(uv, 0.8) * 0.28;
-    for (int i = 0; i < 8; i++) {
-      float angle = float(i) * 0.785398;
-      dark += covered(uv + vec2(cos(angle), sin(angle)) * (i % 2 == 0 ? 0.0034 : 0.0075), 1.2) * 0.09;
+  if (caster(uv, 5.0).r > 0.0) {
+    vec2 around = caster(uv, 4.0);
+    float near = around.g / max(around.r, 0.004);
+    float radius = mix(0.0105, 0.0022, smoothstep(0.15, 0.95, near));
+    float level = log2(radius * ${SHADOW_SIZE}.0) - 1.2;
+    for (int i = 0; i < 16; i++) {
+      float angle = float(i) * 2.39996323;
+      dark += caster(uv + vec2(cos(angle), sin(angle)) * sqrt((float(i) + 0.5) / 16.0) * radius, max(0.4, level)).r;
     }
+    dark = smoothstep(0.0, 1.0, dark / 16.0) * mix(0.78, 0.9, near);
   }
-  // Where two walls meet it is a little darker; far out the wall dissolves into the page.
+  // Light pools where its lamp points; where two walls meet it is a little darker; far out the wall becomes the page.
+  float pool = exp(-1.1 * dot(onWall, onWall));
   vec3 depth = max(world + away, 0.0);
-  vec3 corner = exp(-depth * 7.0) + 0.5 * exp(-depth * 1.8);
+  vec3 corner = exp(-depth * 7.0) + 0.6 * exp(-depth * 1.7);
   float meeting = corner.x + corner.y + corner.z - max(corner.x, max(corner.y, corner.z));
-  vec3 plain = wall * brightness * (1.0 - 0.045 * meeting);
+  vec3 plain = mix(wall, lit, pool) * brightness * (1.0 - vec3(0.050, 0.054, 0.060) * meeting);
   vec2 square = onWall * onWall;
-  float edge = 1.0 - smoothstep(1.05, 1.8, sqrt(sqrt(dot(square, square))));
-  colour = vec4(mix(plain, shade, clamp(dark, 0.0, 1.0) * 0.82), 1.0) * edge * shown;
+  float edge = 1.0 - smoothstep(1.0, 1.75, sqrt(sqrt(dot(square, square))));
+  vec3 seen = mix(plain, mix(shade, plain * shade, 0.35), clamp(dark, 0.0, 1.0));
+  // Less than a step of the screen's: the long gradients show no bands.
+  float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  colour = vec4(seen + grain / 255.0, 1.0) * edge * shown;
 }`;

@@ -4,40 +4,24 @@
  */
 
 import { listen } from "./controls";
-import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
-import { orthographic, type Mat4, type Vec3 } from "./matrix";
-import { axesOf, HOME, Orbit, VIEW_POSES, type Pose } from "./orbit";
-import { RINGS_A_ROW, SHADOW_FRAGMENT, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
-import { Sampler, type WireShape } from "./shape";
-import { buildRings, RING_FLOATS } from "./tube";
+import { tonesOf, type Look } from "./looks";
+import type { Vec3 } from "./matrix";
+import { axesOf, cameraOf, DIRECTIONS, framed, Orbit, type Pose, type ViewName } from "./orbit";
+import { Painter, WALL_AWAY } from "./painter";
+import { Sampler, type Samples, type WireShape } from "./shape";
+import { buildRings } from "./tube";
 
-export type ViewName = keyof typeof VIEW_POSES;
+export type { ViewName } from "./orbit";
 
-/** Colours as `#rrggbb`. */
-export interface Look {
-  wall: string;
-  shadow: string;
-  metal: string;
-  /** Light from above and from below that the metal mirrors. */
-  sky: string;
-  ground: string;
-  /** Colour along the wire in place of metal. */
-  byParameter: boolean;
-  /** Off: the wire alone. */
-  room: boolean;
-}
-
-/** Sides of the tube as it is seen, and as it casts a shadow. */
-const SIDES = 12;
-const SHADOW_SIDES = 6;
 /** About as many samples in all as a screen can tell apart. */
 const SAMPLES = 2600;
-const SHADOW_SIZE = 512;
-/** World units from the middle to the border of a shadow; the object fits the unit ball. */
-const SHADOW_EXTENT = 1.15;
-const WALL_AWAY = 1.22;
-const WALL_EXTENT = 2.6;
+const MAX_DENSITY = 2;
 const FLIGHT_MS = 650;
+const STEP_MS = 220;
+/** The tour's views in order, how long it takes to each, and how long the picture stays. */
+const TOUR: readonly ViewName[] = ["front", "side", "top", "room"];
+const TOUR_FLIGHT_MS = 1500;
+const TOUR_STAY_MS = 1000;
 /** Frames that take longer than this while things move are drawn coarser, down to this share of the pixels a side. */
 const SLOW_FRAME_MS = 40;
 const COARSEST = 0.4;
@@ -45,32 +29,41 @@ const COARSEST = 0.4;
 const SWAY_FRAME_MS = 30;
 /** How long everything stands still before the picture is drawn at its finest again. */
 const REST_MS = 250;
-/** Radians the idle camera sways either way, and seconds it takes. */
-const SWAY_RAD = 0.3;
+/** Radians the idle camera sways either way, seconds it takes, and seconds until it does so fully. */
+const SWAY_RAD = 0.26;
 const SWAY_S = 26;
-
-/** The axes of each wall: what is right, up and towards the room for somebody who looks at it. */
-const WALLS: readonly { axes: readonly [Vec3, Vec3, Vec3]; brightness: number }[] = (
-  [["front", 1], ["side", 0.985], ["top", 0.992]] as const
-).map(([name, brightness]) => {
-  const { right, up, back } = axesOf(VIEW_POSES[name]);
-  return { axes: [right, up, back], brightness };
-});
+const SWAY_ONSET_S = 4;
+/** Half of the square a shadow usually fills, and how much of the picture's smaller side the room and a view fill. */
+const SHADOW_HALF = 0.86;
+const ROOM_SHARE = 0.9;
+const VIEW_SHARE = 0.84;
+const MAX_PICTURE_PX = 4096;
 
 export class StageUnavailable extends Error {}
 
+/** What the stage tells. */
+export interface StageEvents {
+  /** A person took hold of the camera. */
+  hold(): void;
+  /** The view that the camera is at or flies to; null where a person turned it by hand. */
+  view(name: ViewName | null): void;
+  /** The browser took the graphics card away, or gave it back. */
+  lost(lost: boolean): void;
+}
+
 export class Stage {
   private readonly gl: WebGL2RenderingContext;
-  private readonly orbit = new Orbit();
   private readonly observer: ResizeObserver;
   private readonly stopListening: () => void;
-  private resources!: Resources;
-  private look: Look;
-  private wire: WireShape | null = null;
-  private ringData: Float32Array<ArrayBuffer> | undefined;
   private readonly sampler = new Sampler(SAMPLES);
-  private ringCount = 0;
+  private painter: Painter;
+  private wire: WireShape | null = null;
   private wireStale = true;
+  /** Corners of the box round the wire. */
+  private box: readonly Vec3[] = cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]);
+  private ringData: Float32Array<ArrayBuffer> | undefined;
+  private view: ViewName | null = "room";
+  private readonly orbit: Orbit;
   private frame = 0;
   private lastFrameMs = 0;
   /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
@@ -80,28 +73,34 @@ export class Stage {
   private rest: ReturnType<typeof setTimeout> | undefined;
   private swaying = false;
   private swayStartMs = 0;
-  private swayFrom = HOME.azimuthRad;
+  private swayFrom = 0;
+  /** Views still to come, and the wait at the present one. */
+  private tourLeft: readonly ViewName[] = [];
+  private tourStay: ReturnType<typeof setTimeout> | undefined;
+  private swayAfterTour = false;
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   /** @throws StageUnavailable where the browser has no WebGL 2. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    look: Look,
-    /** Called when a person takes hold of the camera. */
-    private readonly onHold: () => void = () => undefined,
+    private look: Look,
+    private readonly events: Partial<StageEvents> = {},
   ) {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, premultipliedAlpha: true });
     if (!gl) throw new StageUnavailable("this browser cannot draw in 3D here (WebGL 2 is missing or switched off)");
     this.gl = gl;
-    this.look = look;
-    this.resources = new Resources(gl);
-    this.observer = new ResizeObserver(() => this.invalidate());
+    this.painter = new Painter(gl);
+    this.orbit = new Orbit(this.poseOf("room", this.aspect));
+    this.observer = new ResizeObserver(this.resized);
     this.observer.observe(canvas);
     this.stopListening = listen(canvas, {
       turn: (azimuth, elevation) => this.held(() => this.orbit.turn(azimuth, elevation)),
       zoom: (factor) => this.held(() => this.orbit.zoom(factor)),
       pan: (right, up) => this.held(() => this.orbit.pan(right, up)),
-      view: (name) => this.flyTo(name),
+      view: (name) => {
+        this.events.hold?.();
+        this.flyTo(name);
+      },
     });
     canvas.addEventListener("webglcontextlost", this.lost);
     canvas.addEventListener("webglcontextrestored", this.restored);
@@ -116,31 +115,71 @@ export class Stage {
   }
 
   setLook(look: Look): void {
+    const roomChanged = look.room !== this.look.room;
+    // Tones lie in the rings, and shadows are not cast where no wall is.
+    if (roomChanged || look.colouring !== this.look.colouring) this.wireStale = true;
     this.look = look;
+    if (roomChanged && this.view === "room" && !this.touring) this.go("room", FLIGHT_MS);
     this.invalidate();
   }
 
   /** A view straight on, or the room as a whole. */
-  flyTo(view: ViewName | "room"): void {
-    this.swaying = false;
-    const pose: Pose = view === "room" ? HOME : VIEW_POSES[view];
-    this.orbit.flyTo(pose, performance.now(), this.still.matches ? 0 : FLIGHT_MS);
-    this.onHold();
+  flyTo(view: ViewName): void {
+    this.rouse();
+    this.go(view, FLIGHT_MS);
+  }
+
+  /** A step by a button: radians to the right, and a factor of the distance. */
+  step(turnRad: number, zoom: number): void {
+    this.rouse();
+    this.orbit.step(turnRad, zoom, performance.now(), this.still.matches ? 0 : STEP_MS);
+    this.setView(null);
+    this.events.hold?.();
     this.invalidate();
+  }
+
+  /** From view to view and back to the room, until somebody takes hold; nothing for people who asked for less motion. */
+  tour(): void {
+    if (this.still.matches) return;
+    const swayed = this.swaying;
+    this.rouse();
+    this.swayAfterTour = swayed;
+    this.tourLeft = TOUR;
+    this.nextOfTour();
   }
 
   /** Whether the camera sways slowly by itself; never for people who asked for less motion. */
   sway(on: boolean): void {
+    if (this.touring) {
+      this.swayAfterTour = on;
+      return;
+    }
     if (on === this.swaying || (on && this.still.matches)) return;
     this.swaying = on;
     this.swayStartMs = performance.now();
-    this.swayFrom = this.orbit.pose.azimuthRad;
+    this.swayFrom = this.orbit.destination.azimuthRad;
     this.invalidate();
+  }
+
+  /** What the stage shows as a PNG of that size, on the colour of its walls. */
+  async picture(widthPx: number, heightPx: number): Promise<Blob> {
+    const [width, height] = [widthPx, heightPx].map((size) => Math.max(1, Math.min(MAX_PICTURE_PX, Math.round(size)))) as [number, number];
+    const flat = new OffscreenCanvas(width, height);
+    const context = flat.getContext("2d")!;
+    context.fillStyle = this.look.wall;
+    context.fillRect(0, 0, width, height);
+    if (this.wireStale) this.loadWire();
+    // In the same task as it is drawn, or the browser would have cleared it; and nobody sees it at the wrong size.
+    this.paint(width, height, this.view && !this.orbit.flying ? this.atAzimuth(this.poseOf(this.view, width / height)) : this.orbit.pose);
+    context.drawImage(this.canvas, 0, 0);
+    this.paintCanvas();
+    return flat.convertToBlob({ type: "image/png" });
   }
 
   dispose(): void {
     cancelAnimationFrame(this.frame);
     clearTimeout(this.rest);
+    clearTimeout(this.tourStay);
     this.observer.disconnect();
     this.stopListening();
     this.canvas.removeEventListener("webglcontextlost", this.lost);
@@ -148,18 +187,83 @@ export class Stage {
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
-  private readonly lost = (event: Event): void => event.preventDefault();
+  private readonly lost = (event: Event): void => {
+    event.preventDefault();
+    this.events.lost?.(true);
+  };
+
   private readonly restored = (): void => {
-    this.resources = new Resources(this.gl);
+    this.painter = new Painter(this.gl);
     this.wireStale = true;
+    this.events.lost?.(false);
     this.invalidate();
   };
 
-  private held(action: () => void): void {
-    this.swaying = false;
-    action();
-    this.onHold();
+  /** At once, in the frame that has the new size: stretched or empty pictures would be seen. */
+  private readonly resized = (): void => {
+    if (this.view && !this.orbit.flying) this.orbit.flyTo(this.atAzimuth(this.poseOf(this.view, this.aspect)), 0, 0);
+    if (this.gl.isContextLost() || this.wireStale) this.invalidate();
+    else this.paintCanvas();
+  };
+
+  private get aspect(): number {
+    const { clientWidth, clientHeight } = this.canvas;
+    return clientWidth > 0 && clientHeight > 0 ? clientWidth / clientHeight : 1.5;
+  }
+
+  private get touring(): boolean {
+    return this.tourLeft.length > 0;
+  }
+
+  private poseOf(view: ViewName, aspect: number): Pose {
+    const room = view === "room" && this.look.room;
+    return framed(DIRECTIONS[view], room ? ROOM_CORNERS : this.box, aspect, room ? ROOM_SHARE : VIEW_SHARE);
+  }
+
+  /** The same frame, seen from where the swaying camera is. */
+  private atAzimuth(pose: Pose): Pose {
+    return this.view === "room" ? { ...pose, azimuthRad: this.orbit.pose.azimuthRad } : pose;
+  }
+
+  private go(view: ViewName, durationMs: number): void {
+    this.orbit.flyTo(this.poseOf(view, this.aspect), performance.now(), this.still.matches ? 0 : durationMs);
+    this.setView(view);
     this.invalidate();
+  }
+
+  private setView(view: ViewName | null): void {
+    if (view === this.view) return;
+    this.view = view;
+    this.events.view?.(view);
+  }
+
+  /** Ends whatever the camera does by itself. */
+  private rouse(): void {
+    this.swaying = false;
+    this.tourLeft = [];
+    clearTimeout(this.tourStay);
+    this.tourStay = undefined;
+  }
+
+  private held(action: () => void): void {
+    this.rouse();
+    action();
+    this.setView(null);
+    this.events.hold?.();
+    this.invalidate();
+  }
+
+  private readonly nextOfTour = (): void => {
+    this.tourStay = undefined;
+    const [next] = this.tourLeft;
+    if (next) this.go(next, TOUR_FLIGHT_MS);
+  };
+
+  /** The tour's flight has landed. */
+  private stay(): void {
+    this.tourLeft = this.tourLeft.slice(1);
+    if (this.touring) this.tourStay = setTimeout(this.nextOfTour, TOUR_STAY_MS);
+    else this.sway(this.swayAfterTour);
   }
 
   private invalidate(): void {
@@ -177,14 +281,16 @@ export class Stage {
     }
     this.lastFrameMs = nowMs;
     this.adapt(sinceMs);
+    const flew = this.orbit.flying;
     const flying = this.orbit.advance(nowMs);
-    if (this.swaying) {
-      const phase = ((nowMs - this.swayStartMs) / 1000 / SWAY_S) * 2 * Math.PI;
-      this.orbit.pose.azimuthRad = this.swayFrom + SWAY_RAD * Math.sin(phase);
+    if (this.swaying && !flying) {
+      const seconds = Math.max(0, nowMs - this.swayStartMs) / 1000;
+      const onset = Math.min(1, seconds / SWAY_ONSET_S);
+      this.orbit.pose.azimuthRad = this.swayFrom + SWAY_RAD * onset * Math.sin((seconds / SWAY_S) * 2 * Math.PI);
     }
-    if (this.wireStale) this.uploadWire();
-    this.wireStale = false;
-    this.paint();
+    if (this.wireStale) this.loadWire();
+    this.paintCanvas();
+    if (flew && !flying && this.touring) this.stay();
     this.following = flying || this.swaying;
     if (this.following) this.invalidate();
   };
@@ -205,127 +311,56 @@ export class Stage {
     }
   }
 
-  private uploadWire(): void {
-    const { resources } = this;
-    if (!this.wire) {
-      this.ringCount = 0;
+  private loadWire(): void {
+    this.wireStale = false;
+    const samples = this.wire && this.sampler.sample(this.wire);
+    if (samples && samples.count > 0) {
+      const rings = buildRings(samples, tonesOf(this.look.colouring, samples), this.ringData);
+      this.ringData = rings.data;
+      this.box = boxOf(samples);
+      this.painter.load(rings);
     } else {
-      const samples = this.sampler.sample(this.wire);
-      const rings = buildRings(samples, samples.parameters, this.ringData);
-      this.ringCount = rings.count;
-      const rows = Math.ceil(rings.count / RINGS_A_ROW);
-      const floats = rows * RINGS_A_ROW * RING_FLOATS;
-      this.ringData = rings.data.length >= floats ? rings.data : grown(rings.data, 2 * floats);
-      resources.rings.write(this.ringData.subarray(0, floats), rows);
+      this.painter.load({ count: 0, data: new Float32Array(0) });
     }
-    if (!this.look.room) return;
-    WALLS.forEach(({ axes }, i) => {
-      resources.shadows[i]!.draw(() => {
-        const { shadowTube } = resources;
-        shadowTube.use();
-        const worldPerPixel = (2 * SHADOW_EXTENT) / SHADOW_SIZE;
-        this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], worldPerPixel, false, SHADOW_SIDES);
-      });
-    });
+    if (this.look.room) this.painter.castShadows();
   }
 
-  private paint(): void {
-    const { gl, canvas, resources, look } = this;
-    const density = Math.min(2, devicePixelRatio || 1) * this.fineness;
-    const width = Math.max(1, Math.round(canvas.clientWidth * density));
-    const height = Math.max(1, Math.round(canvas.clientHeight * density));
+  private paintCanvas(): void {
+    const density = Math.min(MAX_DENSITY, devicePixelRatio || 1) * this.fineness;
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map((size) => Math.max(1, Math.round(size * density)));
+    this.paint(width!, height!, this.orbit.pose);
+  }
+
+  private paint(width: number, height: number, pose: Pose): void {
+    const { canvas } = this;
     if (canvas.width !== width || canvas.height !== height) {
       canvas.width = width;
       canvas.height = height;
     }
-    const camera = this.orbit.camera(width, height);
-    gl.viewport(0, 0, width, height);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    if (look.room) this.paintWalls(camera.clipFromWorld);
-    gl.enable(gl.DEPTH_TEST);
-    const { tube } = resources;
-    tube.use();
-    gl.uniform3fv(tube.at("metal"), linear(look.metal));
-    gl.uniform3fv(tube.at("sky"), linear(look.sky));
-    gl.uniform3fv(tube.at("ground"), linear(look.ground));
-    gl.uniform1f(tube.at("byParameter"), look.byParameter ? 1 : 0);
-    this.drawTube(tube, camera.clipFromWorld, camera.eye, camera.worldPerPixel, true, SIDES);
-    gl.disable(gl.DEPTH_TEST);
-  }
-
-  private paintWalls(clipFromWorld: Mat4): void {
-    const { gl, look, resources } = this;
-    const { wall } = resources;
-    const { back } = axesOf(this.orbit.pose);
-    wall.use();
-    gl.uniformMatrix4fv(wall.at("clipFromWorld"), false, clipFromWorld);
-    gl.uniform1f(wall.at("away"), WALL_AWAY);
-    gl.uniform1f(wall.at("extent"), WALL_EXTENT);
-    gl.uniform1f(wall.at("shadowExtent"), SHADOW_EXTENT);
-    gl.uniform3fv(wall.at("wall"), shown(look.wall));
-    gl.uniform3fv(wall.at("shade"), shown(look.shadow));
-    gl.uniform1i(wall.at("shadow"), 0);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.enable(gl.BLEND);
-    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    WALLS.forEach(({ axes, brightness }, i) => {
-      // A wall that turns its back or its edge to the eye fades away.
-      const facing = back[0] * axes[2][0] + back[1] * axes[2][1] + back[2] * axes[2][2];
-      const visible = Math.max(0, Math.min(1, (facing - 0.02) / 0.16));
-      if (visible === 0) return;
-      gl.uniform1f(wall.at("shown"), visible * visible * (3 - 2 * visible));
-      gl.uniform1f(wall.at("brightness"), brightness);
-      gl.uniformMatrix3fv(wall.at("axes"), false, axes.flat());
-      gl.bindTexture(gl.TEXTURE_2D, resources.shadows[i]!.texture);
-      gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-    });
-    gl.disable(gl.BLEND);
-  }
-
-  private drawTube(
-    program: Program,
-    clipFromWorld: Mat4,
-    eye: Vec3,
-    worldPerPixel: number,
-    perspective: boolean,
-    sides: number,
-  ): void {
-    const { gl } = this;
-    if (this.ringCount < 2) return;
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.resources.rings.texture);
-    gl.uniform1i(program.at("rings"), 0);
-    gl.uniformMatrix4fv(program.at("clipFromWorld"), false, clipFromWorld);
-    gl.uniform3fv(program.at("eye"), eye);
-    gl.uniform1f(program.at("worldPerPixel"), worldPerPixel);
-    gl.uniform1f(program.at("perspective"), perspective ? 1 : 0);
-    gl.uniform1i(program.at("sides"), sides);
-    // Seen from a random side, a prism is as wide on average as a cylinder of this share of its radius.
-    gl.uniform1f(program.at("swell"), Math.PI / sides / Math.sin(Math.PI / sides));
-    gl.drawArrays(gl.TRIANGLE_STRIP, 0, verticesAPiece(sides) * (this.ringCount - 1));
+    this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height);
   }
 }
 
-function grown(data: Float32Array<ArrayBuffer>, length: number): Float32Array<ArrayBuffer> {
-  const larger = new Float32Array(length);
-  larger.set(data);
-  return larger;
+function cornersOf(low: Vec3, high: Vec3): Vec3[] {
+  return Array.from({ length: 8 }, (_, i) => [0, 1, 2].map((c) => (i & (1 << c) ? high : low)[c]!) as unknown as Vec3);
 }
 
-/** Everything that lives on the graphics card, made again when the browser took it away. */
-class Resources {
-  readonly tube: Program;
-  readonly shadowTube: Program;
-  readonly wall: Program;
-  readonly rings: NumberTexture;
-  readonly shadows: readonly SoftTexture[];
-
-  constructor(gl: WebGL2RenderingContext) {
-    this.tube = new Program(gl, TUBE_VERTEX, TUBE_FRAGMENT);
-    this.shadowTube = new Program(gl, TUBE_VERTEX, SHADOW_FRAGMENT);
-    this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
-    this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
-    this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
+function boxOf({ points, count }: Samples): Vec3[] {
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (let at = 0; at < 4 * count; at += 4) {
+    for (let c = 0; c < 3; c++) {
+      const x = points[at + c]!;
+      if (x < low[c]!) low[c] = x;
+      if (x > high[c]!) high[c] = x;
+    }
   }
+  return cornersOf(low, high);
 }
+
+/** What should be in the picture of the room: the three shadows, and so the wire between them. */
+const ROOM_CORNERS: readonly Vec3[] = [0, 1, 2].flatMap((wall) =>
+  cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]).map(
+    (corner) => corner.map((x, c) => (c === wall ? -WALL_AWAY : x)) as unknown as Vec3,
+  ),
+);

@@ -1,5 +1,6 @@
 /** Samples turned into rings: a frame that does not twist along the wire, and round caps at its ends. */
 
+import { RINGS_A_ROW } from "./shaders";
 import type { Samples } from "./shape";
 
 /** Floats for each ring: centre 3, radius, tangent 3, tone, normal 3, lean. See `shaders.ts`. */
@@ -23,7 +24,9 @@ export interface Rings {
 export function buildRings(samples: Samples, tones: ArrayLike<number>, reuse?: Float32Array<ArrayBuffer>): Rings {
   const { points } = samples;
   const count = samples.strips.reduce((sum, s) => sum + s.last - s.first + 1 + (s.closed ? 1 : 2 * CAP_RINGS), 0);
-  const data = reuse && reuse.length >= count * RING_FLOATS ? reuse : new Float32Array(count * RING_FLOATS * 2);
+  // With room for what comes next, and for a last row of the texture that holds them.
+  const length = (count + RINGS_A_ROW) * RING_FLOATS;
+  const data = reuse && reuse.length >= length ? reuse : new Float32Array(2 * length);
   const frame = new Frame();
   let at = 0;
 

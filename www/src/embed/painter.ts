@@ -1,0 +1,125 @@
+/** Everything that lives on the graphics card: the tube, its three shadows and the walls they fall on. */
+
+import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
+import type { Look } from "./looks";
+import { orthographic, type Mat4, type Vec3 } from "./matrix";
+import { axesOf, DIRECTIONS, type Camera } from "./orbit";
+import { RINGS_A_ROW, SHADOW_FRAGMENT, SHADOW_SIZE, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
+import { RING_FLOATS, type Rings } from "./tube";
+
+/** Sides of the tube as it is seen, and as it casts a shadow. */
+const SIDES = 12;
+const SHADOW_SIDES = 6;
+/** World units from the middle to the border of a shadow; the object fits the unit ball. */
+const SHADOW_EXTENT = 1.15;
+export const WALL_AWAY = 1.22;
+const WALL_EXTENT = 2.6;
+
+/** The axes of each wall: what is right, up and towards the room for somebody who looks at it. */
+const WALLS: readonly { axes: readonly [Vec3, Vec3, Vec3]; brightness: number }[] = (
+  [["front", 1], ["side", 0.975], ["top", 0.985]] as const
+).map(([name, brightness]) => {
+  const { right, up, back } = axesOf(DIRECTIONS[name]);
+  return { axes: [right, up, back], brightness };
+});
+
+export class Painter {
+  private readonly tube: Program;
+  private readonly shadowTube: Program;
+  private readonly wall: Program;
+  private readonly rings: NumberTexture;
+  private readonly shadows: readonly SoftTexture[];
+  private ringCount = 0;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    this.tube = new Program(gl, TUBE_VERTEX, TUBE_FRAGMENT);
+    this.shadowTube = new Program(gl, TUBE_VERTEX, SHADOW_FRAGMENT);
+    this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
+    this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
+    this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
+  }
+
+  /** The wire to draw from now on. What follows the rings in `data` up to a whole row is sent and never drawn. */
+  load({ count, data }: Rings): void {
+    this.ringCount = count;
+    const rows = Math.ceil(count / RINGS_A_ROW);
+    if (rows > 0) this.rings.write(data.subarray(0, rows * RINGS_A_ROW * RING_FLOATS), rows);
+  }
+
+  castShadows(): void {
+    const { gl, shadowTube } = this;
+    shadowTube.use();
+    gl.enable(gl.BLEND);
+    gl.blendEquation(gl.MAX);
+    WALLS.forEach(({ axes }, i) => {
+      this.shadows[i]!.draw(() => {
+        gl.uniform3fv(shadowTube.at("inward"), axes[2]);
+        gl.uniform1f(shadowTube.at("away"), WALL_AWAY);
+        this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], (2 * SHADOW_EXTENT) / SHADOW_SIZE, false, SHADOW_SIDES);
+      });
+    });
+    gl.blendEquation(gl.FUNC_ADD);
+    gl.disable(gl.BLEND);
+  }
+
+  /** `back` points from the target to the eye. */
+  paint(camera: Camera, back: Vec3, look: Look, width: number, height: number): void {
+    const { gl, tube } = this;
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    if (look.room) this.paintWalls(camera.clipFromWorld, back, look);
+    gl.enable(gl.DEPTH_TEST);
+    tube.use();
+    gl.uniform3fv(tube.at("ramp"), look.ramp.flatMap(linear));
+    gl.uniform3fv(tube.at("sky"), linear(look.sky));
+    gl.uniform3fv(tube.at("ground"), linear(look.ground));
+    gl.uniform1f(tube.at("gloss"), look.gloss);
+    this.drawTube(tube, camera.clipFromWorld, camera.eye, camera.worldPerPixel, true, SIDES);
+    gl.disable(gl.DEPTH_TEST);
+  }
+
+  private paintWalls(clipFromWorld: Mat4, back: Vec3, look: Look): void {
+    const { gl, wall } = this;
+    wall.use();
+    gl.uniformMatrix4fv(wall.at("clipFromWorld"), false, clipFromWorld);
+    gl.uniform1f(wall.at("away"), WALL_AWAY);
+    gl.uniform1f(wall.at("extent"), WALL_EXTENT);
+    gl.uniform1f(wall.at("shadowExtent"), SHADOW_EXTENT);
+    gl.uniform3fv(wall.at("wall"), shown(look.wall));
+    gl.uniform3fv(wall.at("lit"), shown(look.lit));
+    gl.uniform3fv(wall.at("shade"), shown(look.shadow));
+    gl.uniform1i(wall.at("shadow"), 0);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    WALLS.forEach(({ axes, brightness }, i) => {
+      // A wall that turns its back or its edge to the eye fades away.
+      const facing = back[0] * axes[2][0] + back[1] * axes[2][1] + back[2] * axes[2][2];
+      const visible = Math.max(0, Math.min(1, (facing - 0.02) / 0.16));
+      if (visible === 0) return;
+      gl.uniform1f(wall.at("shown"), visible * visible * (3 - 2 * visible));
+      gl.uniform1f(wall.at("brightness"), brightness);
+      gl.uniformMatrix3fv(wall.at("axes"), false, axes.flat());
+      gl.bindTexture(gl.TEXTURE_2D, this.shadows[i]!.texture);
+      gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    });
+    gl.disable(gl.BLEND);
+  }
+
+  private drawTube(program: Program, clipFromWorld: Mat4, eye: Vec3, worldPerPixel: number, perspective: boolean, sides: number): void {
+    const { gl } = this;
+    if (this.ringCount < 2) return;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.rings.texture);
+    gl.uniform1i(program.at("rings"), 0);
+    gl.uniformMatrix4fv(program.at("clipFromWorld"), false, clipFromWorld);
+    gl.uniform3fv(program.at("eye"), eye);
+    gl.uniform1f(program.at("worldPerPixel"), worldPerPixel);
+    gl.uniform1f(program.at("perspective"), perspective ? 1 : 0);
+    gl.uniform1i(program.at("sides"), sides);
+    // Seen from a random side, a prism is as wide on average as a cylinder of this share of its radius.
+    gl.uniform1f(program.at("swell"), Math.PI / sides / Math.sin(Math.PI / sides));
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, verticesAPiece(sides) * (this.ringCount - 1));
+  }
+}
