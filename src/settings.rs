@@ -1,9 +1,10 @@
 //! Every setting there is, once: name, group, unit, range, default and one line of help. The command line's flags, the
 //! page's controls, the saved file and the link are all made from [`TABLE`], so they cannot drift apart.
 
-use crate::{Error, Result, wire::Form};
+use crate::{Error, Result, view::Polarity, wire::Form};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use std::collections::BTreeMap;
 
 /// Where a control is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -70,7 +71,9 @@ macro_rules! choices {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
         pub enum $name { $($(#[$variant_doc])* #[serde(rename = $word)] $variant),* }
         impl $name {
-            /// The words people type.
+            /// All of them.
+            pub const ALL: &'static [$name] = &[$($name::$variant),*];
+            /// The words people type, in the same order.
             pub const WORDS: &'static [&'static str] = &[$($word),*];
         }
     )*};
@@ -151,6 +154,16 @@ choices! {
         Random = "random",
         /// Between the two neighbours.
         Midpoint = "midpoint",
+    }
+}
+
+impl From<Ink> for Polarity {
+    fn from(ink: Ink) -> Polarity {
+        match ink {
+            Ink::Auto => Polarity::Auto,
+            Ink::Dark => Polarity::DarkInk,
+            Ink::Light => Polarity::LightInk,
+        }
     }
 }
 
@@ -369,6 +382,12 @@ impl Settings {
             _ => serde_json::Map::new(),
         }
     }
+
+    /// Every value by name as the text that [`Settings::set`] takes.
+    pub fn to_texts(&self) -> BTreeMap<String, String> {
+        let text = |value: Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        self.to_map().into_iter().map(|(name, value)| (name, text(value))).collect()
+    }
 }
 
 impl Kind {
@@ -419,13 +438,14 @@ mod tests {
 
     #[test]
     fn table_and_struct_name_the_same_settings_and_defaults_are_in_range() {
-        for preset in [Preset::Best, Preset::Fast, Preset::Paper] {
-            let map = Settings::preset(preset).to_map();
-            assert_eq!(map.len(), TABLE.len());
+        for &preset in Preset::ALL {
+            let texts = Settings::preset(preset).to_texts();
+            assert_eq!(texts.len(), TABLE.len());
+            let pairs = texts.iter().map(|(name, text)| (name.as_str(), text.as_str()));
+            assert_eq!(Settings::from_pairs(pairs), Ok(Settings::preset(preset)), "texts say it all");
             for row in TABLE {
-                let value = &map[row.name];
-                let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-                assert!(row.kind.parse(&text).is_some(), "{}: {text} is outside {}", row.name, row.kind.words());
+                let text = &texts[row.name];
+                assert!(row.kind.parse(text).is_some(), "{}: {text} is outside {}", row.name, row.kind.words());
                 assert!(!row.help.is_empty() && row.help.ends_with('.'), "{} needs a line of help", row.name);
             }
         }

@@ -83,6 +83,24 @@ impl Checkpoint {
     pub fn iteration(&self) -> usize {
         self.iteration
     }
+
+    /// The wire as it was last laid out: form and knots are those of its iteration, the control points may be older.
+    pub fn wire(&self) -> &Wire {
+        &self.wire
+    }
+
+    /// The same without the best wire so far: for a recipe whose losses cannot be compared with those before.
+    pub fn without_best(self) -> Checkpoint {
+        Checkpoint { best_wire: self.wire.clone(), best_points: self.state.points.clone(), best_loss: None, ..self }
+    }
+
+    /// Whether no counter claims more than its iterations allow.
+    fn counts_add_up(&self) -> bool {
+        let adam = [self.state.count, self.good.count];
+        let fields = self.fields.iter().map(|field| field.count);
+        let mut counts = adam.into_iter().chain(fields).chain([self.halvings, self.gradient_count]);
+        counts.all(|count| count as usize <= self.iteration)
+    }
 }
 
 impl Session {
@@ -135,6 +153,9 @@ impl Session {
         }
         if saved.iteration > session.total() || saved.history.len() != saved.iteration {
             return Err(refuse("it does not fit the number of iterations"));
+        }
+        if !saved.counts_add_up() {
+            return Err(refuse("its counters are damaged"));
         }
         if !saved.history.is_valid(session.problem.targets.len()) {
             return Err(refuse("its history is of other views"));

@@ -52,6 +52,11 @@ pub struct Placement {
     pub orientation: Orientation,
     /// Stretched along one axis by this factor, at least 1.
     pub stretch: f64,
+    /// The part of the drawing that is laid down, its ink's box, as shares of the drawing's sides: left, top, width,
+    /// height.
+    pub from: [f64; 4],
+    /// Where in the view's picture it lies, as shares of its sides.
+    pub onto: [f64; 4],
 }
 
 /// Drawings in their views, and the object's box.
@@ -65,7 +70,7 @@ pub struct Arrangement {
     pub height_world: f64,
     /// What each view should show.
     pub targets: Vec<Target>,
-    /// The score that chose it: mean and worst view's coverable share, half and half.
+    /// The score that chose it: mean and worst view's coverable share, half and half; 0 where nothing was compared.
     pub score: f64,
 }
 
@@ -91,7 +96,7 @@ pub fn arrange(drawings: &[Drawing], options: &ArrangeOptions) -> Result<Arrange
             remedy: "give two or three drawings, or name the other views' directions".into(),
         });
     }
-    let cutouts = cut_out(drawings)?;
+    let Cutouts(cutouts) = &Cutouts::new(drawings)?;
     let coarse: Vec<Cutout> = cutouts.iter().map(|cutout| cutout.traced(4 * COARSE, 4.0 * COARSE_STROKE)).collect();
     let mut best: Option<(f64, Candidate)> = None;
     for assignment in permutations(drawings.len(), options.permute) {
@@ -99,7 +104,8 @@ pub fn arrange(drawings: &[Drawing], options: &ArrangeOptions) -> Result<Arrange
             if lies_down && (drawings.len() < 3 || !options.turn_top) {
                 continue;
             }
-            let aspects = aspects(&cutouts, &assignment, lies_down);
+            let lying = |view: usize| view == 2 && lies_down;
+            let aspects = aspects(cutouts, &assignment, lying);
             let fit = fit_box(&aspects, options.max_stretch);
             // Each view's ways of lying, as bit rows on its side of the box.
             let ways: Vec<Vec<(Orientation, Rows)>> = (0..assignment.len())
@@ -127,7 +133,7 @@ pub fn arrange(drawings: &[Drawing], options: &ArrangeOptions) -> Result<Arrange
         problem: "the drawings have no ink at a common height or width, so no object can show them together".into(),
         remedy: "use other drawings, or let them be arranged freely".into(),
     })?;
-    Ok(candidate.laid_out(&cutouts, options.size_px, score))
+    Ok(candidate.laid_out(cutouts, options.size_px, score))
 }
 
 /// A way to lay the drawings.
@@ -161,33 +167,50 @@ impl Candidate {
             let orientation = self.orientations[index];
             let ink = cutouts[source].laid(orientation, area, size_px, size_px);
             targets.push(Target { view, ink });
-            placements.push(Placement { source, orientation, stretch: self.fit.stretch[index] });
+            placements.push(Placement {
+                source,
+                orientation,
+                stretch: self.fit.stretch[index],
+                from: cutouts[source].on_drawing(),
+                onto: area.map(|px| px / size_px as f64),
+            });
         }
         Arrangement { placements, half_extents_world, height_world, targets, score }
     }
 }
 
-pub(super) fn cut_out(drawings: &[Drawing]) -> Result<Vec<Cutout>> {
-    drawings
-        .iter()
-        .map(|drawing| {
+/// Drawings cut out along their ink, to be laid down in any way.
+pub struct Cutouts(pub(super) Vec<Cutout>);
+
+impl Cutouts {
+    /// # Errors
+    /// [`Error::Picture`] for a drawing without ink.
+    pub fn new(drawings: &[Drawing]) -> Result<Cutouts> {
+        let cut = |drawing: &Drawing| {
             Cutout::new(&drawing.ink).ok_or_else(|| {
-                Error::picture(&drawing.name, "there is no ink to draw", "use a picture with lines, or invert it")
+                Error::picture(&drawing.name, "there is no ink to draw", "draw something, or use a picture with lines")
             })
-        })
-        .collect()
+        };
+        drawings.iter().map(cut).collect::<Result<_>>().map(Cutouts)
+    }
+
+    /// Lays them down as told: front, side and perhaps top show the drawings `ways` names, lying as it says. Targets
+    /// are `size_px` square, stretched by at most `max_stretch`.
+    pub fn lay_out(&self, ways: &[(usize, Orientation)], max_stretch: f64, size_px: usize) -> Arrangement {
+        let (assignment, orientations): (Vec<usize>, Vec<Orientation>) = ways.iter().copied().unzip();
+        let aspects = aspects(&self.0, &assignment, |view| orientations[view].lies_down());
+        let fit = fit_box(&aspects, max_stretch);
+        Candidate { assignment, orientations, fit }.laid_out(&self.0, size_px, 0.0)
+    }
 }
 
-/// Width / height of each view's drawing; the top may lie down.
-fn aspects(cutouts: &[Cutout], assignment: &[usize], lies_down: bool) -> Vec<f64> {
-    assignment
-        .iter()
-        .enumerate()
-        .map(|(view, &source)| {
-            let aspect = cutouts[source].aspect();
-            if view == 2 && lies_down { 1.0 / aspect } else { aspect }
-        })
-        .collect()
+/// Width / height of each view's drawing; `lies_down` says whether a view's is turned by a quarter.
+fn aspects(cutouts: &[Cutout], assignment: &[usize], lies_down: impl Fn(usize) -> bool) -> Vec<f64> {
+    let aspect = |(view, &source): (usize, &usize)| {
+        let aspect = cutouts[source].aspect();
+        if lies_down(view) { 1.0 / aspect } else { aspect }
+    };
+    assignment.iter().enumerate().map(aspect).collect()
 }
 
 /// All orders of 0..count, the given one first.

@@ -1,6 +1,7 @@
 //! Where a wire starts: arranging and bending drawings, the voxel tree and its trail, hull and ball tours.
 
 mod arrange;
+mod back;
 mod ball;
 mod bend;
 mod boxfit;
@@ -19,7 +20,7 @@ mod tour;
 mod trail;
 mod tree;
 
-pub use arrange::{ArrangeOptions, Arrangement, Drawing, Placement, arrange};
+pub use arrange::{ArrangeOptions, Arrangement, Cutouts, Drawing, Placement, arrange};
 pub use ball::{ball_path, ball_points};
 pub use bend::{BendOptions, Bent, bend};
 pub use boxfit::{BoxFit, fit_box};

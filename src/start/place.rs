@@ -1,6 +1,6 @@
 //! Drawings in views of any direction: upright, as given, each as large as the common frame allows.
 
-use super::arrange::{Arrangement, Drawing, FILLED, Placement, cut_out};
+use super::arrange::{Arrangement, Cutouts, Drawing, FILLED, Placement};
 use super::placing::Orientation;
 use crate::error::{Error, Result};
 use crate::view::{Target, View, ViewSpec};
@@ -17,7 +17,7 @@ pub fn place(drawings: &[Drawing], seen_from: &[Option<ViewSpec>], size_px: usiz
     let mut next = canonical.iter();
     let mut targets: Vec<Target> = Vec::with_capacity(drawings.len());
     let mut placements = Vec::with_capacity(drawings.len());
-    for (source, (cutout, spec)) in cut_out(drawings)?.iter().zip(seen_from).enumerate() {
+    for (source, (cutout, spec)) in Cutouts::new(drawings)?.0.iter().zip(seen_from).enumerate() {
         let view = match spec {
             Some(spec) => spec.resolve(&canonical, height_world, size_px)?,
             None => next.next().cloned().ok_or_else(|| Error::Pictures {
@@ -39,7 +39,13 @@ pub fn place(drawings: &[Drawing], seen_from: &[Option<ViewSpec>], size_px: usiz
         let area = [middle - width / 2.0, middle - height / 2.0, width, height];
         let ink = cutout.laid(Orientation::default(), area, size_px, size_px);
         targets.push(Target { view, ink });
-        placements.push(Placement { source, orientation: Orientation::default(), stretch: 1.0 });
+        placements.push(Placement {
+            source,
+            orientation: Orientation::default(),
+            stretch: 1.0,
+            from: cutout.on_drawing(),
+            onto: area.map(|px| px / size_px as f64),
+        });
     }
     Ok(Arrangement { placements, half_extents_world, height_world, targets, score: 0.0 })
 }

@@ -27,6 +27,22 @@ impl Orientation {
         }
         (if self.mirrored { 1.0 - u } else { u }, v)
     }
+
+    /// Where the place (u, v) of the drawing (0..1, y down) shows in the result.
+    pub(super) fn place_of(self, u: f64, v: f64) -> (f64, f64) {
+        let (mut u, mut v) = (if self.mirrored { 1.0 - u } else { u }, v);
+        for _ in 0..self.quarter_turns % 4 {
+            (u, v) = (v, 1.0 - u);
+        }
+        (u, v)
+    }
+
+    /// The same, the drawing itself being mirrored or turned by `first` before.
+    pub fn after(self, first: Orientation) -> Orientation {
+        // Mirrored, a turn goes the other way round.
+        let turns = if self.mirrored { 4 - first.quarter_turns % 4 } else { first.quarter_turns };
+        Orientation { mirrored: self.mirrored != first.mirrored, quarter_turns: (self.quarter_turns + turns) % 4 }
+    }
 }
 
 /// A drawing cut to the box of its ink, at no more pixels than are of use.
@@ -35,6 +51,8 @@ pub struct Cutout {
     ink: Image,
     /// The ink's box in `ink`, px: left, top, width, height.
     bounds: [f64; 4],
+    /// The ink's box on the drawing, as shares of its sides: left, top, width, height.
+    on_drawing: [f64; 4],
 }
 
 /// A cut-out keeps at most this many pixels a side.
@@ -56,7 +74,11 @@ impl Cutout {
                 }
             }
         }
-        let cutout = Cutout { ink, bounds: [RIM_PX, RIM_PX, bounds.width(), bounds.height()].map(|n| n as f64) };
+        let sides = [drawing.width, drawing.height].map(|side| side as f64);
+        let box_px = [bounds.left, bounds.top, bounds.width(), bounds.height()].map(|n| n as f64);
+        let on_drawing = std::array::from_fn(|i| box_px[i] / sides[i % 2]);
+        let bounds = [RIM_PX, RIM_PX, bounds.width(), bounds.height()].map(|n| n as f64);
+        let cutout = Cutout { ink, bounds, on_drawing };
         Some(cutout.shrunk_to(MOST_PX))
     }
 
@@ -68,7 +90,8 @@ impl Cutout {
         }
         let (sx, sy) = (width as f64 / self.ink.width as f64, height as f64 / self.ink.height as f64);
         let [left, top, w, h] = self.bounds;
-        Cutout { ink: self.ink.resized(width, height), bounds: [left * sx, top * sy, w * sx, h * sy] }
+        let bounds = [left * sx, top * sy, w * sx, h * sy];
+        Cutout { ink: self.ink.resized(width, height), bounds, on_drawing: self.on_drawing }
     }
 
     /// Shrunk to `most_px` a side, every stroke at least `stroke_px` wide there: what is left of hair lines in a coarse
@@ -84,6 +107,11 @@ impl Cutout {
     /// Width / height of the ink's box; only right before [`Cutout::shrunk_to`].
     pub fn aspect(&self) -> f64 {
         self.bounds[2] / self.bounds[3]
+    }
+
+    /// The ink's box on the drawing, as shares of its sides: left, top, width, height.
+    pub fn on_drawing(&self) -> [f64; 4] {
+        self.on_drawing
     }
 
     /// Lays the ink's box onto `area` (left, top, width, height in px) of a blank picture.

@@ -2,3 +2,6 @@
 
 mod fit;
 pub mod multiview;
+pub mod preview;
+mod remedies;
+mod saved;

@@ -4,15 +4,17 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::fit::recipe;
+use super::preview::mean_share;
+use super::saved::SavedRun;
 use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultReport, TimeReport, match_pictures};
 use crate::objective::Displacement;
 use crate::optimize::{Event, Problem, Session, WidthBounds};
 use crate::sculpture::{MadeWith, Sculpture, render};
-use crate::settings::{Backend, Bend, Ink, OnOff, Settings, Start, Turn};
+use crate::settings::{Backend, Bend, OnOff, Settings, Start, Turn};
 use crate::start::{
-    self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, TrailOptions, TreeOptions,
+    self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
-use crate::view::{Image, Picture, Polarity, Target, ViewSpec, ink};
+use crate::view::{Image, MAX_PICTURE_PX, Picture, Target, View, ViewSpec, ink};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 
@@ -33,12 +35,23 @@ impl Drawing {
     /// # Errors
     /// As [`ink`].
     pub fn new(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<Drawing> {
-        let polarity = match settings.ink {
-            Ink::Auto => Polarity::Auto,
-            Ink::Dark => Polarity::DarkInk,
-            Ink::Light => Polarity::LightInk,
-        };
-        Ok(Drawing { name: picture.name().to_owned(), ink: ink(picture, polarity)?.0, seen_from })
+        Ok(Drawing { name: picture.name().to_owned(), ink: ink(picture, settings.ink.into())?.0, seen_from })
+    }
+
+    /// From ink as bytes, 0 (ground) to 255 (ink), row by row from the top left.
+    ///
+    /// # Errors
+    /// [`Error::Picture`] if there are no pixels, too many, or not one byte for each.
+    pub fn from_ink(name: &str, width: usize, height: usize, bytes: &[u8]) -> Result<Drawing> {
+        let refuse = |problem: String, remedy: &str| Err(Error::picture(name, problem, remedy));
+        if width == 0 || height == 0 || width.max(height) > MAX_PICTURE_PX {
+            return refuse(format!("{width} x {height} pixels"), "give 1 to 2048 pixels a side");
+        }
+        if bytes.len() != width * height {
+            return refuse(format!("{} bytes of ink for {width} x {height} px", bytes.len()), "give one byte a pixel");
+        }
+        let data = bytes.iter().map(|&byte| f32::from(byte) / 255.0).collect();
+        Ok(Drawing { name: name.to_owned(), ink: Image { width, height, data }, seen_from: None })
     }
 }
 
@@ -84,10 +97,7 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
         size_px: settings.size,
     };
     let options = if settings.arrange == OnOff::On { options } else { options.pinned() };
-    let named: Vec<start::Drawing> = drawings
-        .iter()
-        .map(|drawing| start::Drawing { name: drawing.name.clone(), ink: drawing.ink.clone() })
-        .collect();
+    let named = named(drawings);
     let placed = drawings.iter().any(|drawing| drawing.seen_from.is_some());
     let mut arrangement = if placed {
         let views = drawings.iter().map(|drawing| drawing.seen_from.clone()).collect::<Vec<_>>();
@@ -95,22 +105,59 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     } else {
         start::arrange(&named, &options)?
     };
-    let min_stroke_px = settings.min_stroke * settings.size as f64 / 256.0;
-    if min_stroke_px > 0.0 {
-        for target in &mut arrangement.targets {
-            target.ink = target.ink.with_min_stroke(min_stroke_px as f32);
-        }
-    }
+    thicken(&mut arrangement.targets, settings);
     let coverable = start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?;
     let sources = drawings.iter().map(|drawing| drawing.name.clone()).collect();
     Ok(Plan { arrangement, coverable, sources, placed })
 }
 
+/// Drawings as the start knows them.
+pub(super) fn named(drawings: &[Drawing]) -> Vec<start::Drawing> {
+    drawings.iter().map(|drawing| start::Drawing { name: drawing.name.clone(), ink: drawing.ink.clone() }).collect()
+}
+
+/// Makes lines as wide as the settings ask.
+pub(super) fn thicken(targets: &mut [Target], settings: &Settings) {
+    let min_stroke_px = settings.min_stroke * settings.size as f64 / 256.0;
+    if min_stroke_px > 0.0 {
+        for target in targets {
+            target.ink = target.ink.with_min_stroke(min_stroke_px as f32);
+        }
+    }
+}
+
+/// How a drawing was laid into a view.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Placed {
+    /// The view that shows it.
+    pub view: View,
+    /// Which of the drawings it is, from 0.
+    pub source: usize,
+    /// Whether it is mirrored left to right.
+    pub mirrored: bool,
+    /// By how many quarters it is turned counter-clockwise after mirroring.
+    pub quarter_turns: u8,
+    /// Share of its ink that any object at all could show, 0 to 1.
+    pub coverable: f32,
+}
+
 impl Plan {
+    /// How the drawing of view `view` was laid into it.
+    pub fn placed(&self, view: usize) -> Placed {
+        let Placement { source, orientation, .. } = self.arrangement.placements[view];
+        Placed {
+            view: self.arrangement.targets[view].view.clone(),
+            source,
+            mirrored: orientation.mirrored,
+            quarter_turns: orientation.quarter_turns,
+            coverable: self.coverable[view].share,
+        }
+    }
+
     /// Mean over the views of the share of ink that any object could show.
     pub fn mean_coverable(&self) -> f64 {
-        let sum: f64 = self.coverable.iter().map(|view| f64::from(view.share)).sum();
-        sum / self.coverable.len().max(1) as f64
+        mean_share(&self.coverable)
     }
 
     /// What a person should know before the run, in plain words.
@@ -133,6 +180,45 @@ impl Plan {
             }
         }
         notes
+    }
+
+    /// Whether the drawings are bent before the fit.
+    fn bends_before(&self, settings: &Settings) -> bool {
+        settings.bend == Bend::Free && !self.agrees()
+    }
+
+    /// Whether the drawings agree so well as they are that bending them before the fit would only move their ink.
+    pub(super) fn agrees(&self) -> bool {
+        self.coverable.iter().all(|view| view.share >= ENOUGH_SHARE)
+    }
+
+    /// What the views should show once drawings that may bend freely have bent, and how far that moved their ink.
+    fn targets_to_fit(
+        &self,
+        settings: &Settings,
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<(Vec<Target>, Vec<Displacement>)> {
+        let targets = &self.arrangement.targets;
+        if !self.bends_before(settings) {
+            return Ok((targets.clone(), vec![Displacement::default(); targets.len()]));
+        }
+        let bent = start::bend(targets, &BendOptions::default(), progress)?;
+        let moved = bent.mean_px.iter().zip(&bent.max_px);
+        let moved = moved.map(|(&mean, &max)| Displacement { mean_px: mean.into(), max_px: max.into() });
+        Ok((bent.targets, moved.collect()))
+    }
+
+    /// The fit of `wire` to `targets`.
+    fn problem(&self, wire: Wire, targets: Vec<Target>, settings: &Settings) -> Problem {
+        let px = self.world_per_px_256();
+        Problem {
+            wire,
+            targets,
+            view_weights: Vec::new(),
+            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
+            recipe: recipe(settings),
+            seed: settings.seed,
+        }
     }
 
     /// World units in one pixel of a 256 px picture.
@@ -215,29 +301,35 @@ impl Run {
     /// # Errors
     /// As the start chosen by the settings, and [`Problem::check`].
     pub fn start(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
-        let mut targets = plan.arrangement.targets.clone();
-        let mut moved_before = vec![Displacement::default(); targets.len()];
-        let mut done = 0.0;
-        let agree = plan.coverable.iter().all(|view| view.share >= ENOUGH_SHARE);
-        if settings.bend == Bend::Free && !agree {
-            done = BENDING_SHARE;
-            let bent = start::bend(&targets, &BendOptions::default(), &mut |share| progress(BENDING_SHARE * share))?;
-            targets = bent.targets;
-            for (moved, (mean, max)) in moved_before.iter_mut().zip(bent.mean_px.iter().zip(&bent.max_px)) {
-                *moved = Displacement { mean_px: f64::from(*mean), max_px: f64::from(*max) };
-            }
-        }
-        let wire = plan.first_wire(&targets, settings, &mut |share| progress(done + (1.0 - done) * share))?;
-        let px = plan.world_per_px_256();
-        let problem = Problem {
-            wire,
-            targets,
-            view_weights: Vec::new(),
-            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
-            recipe: recipe(settings),
-            seed: settings.seed,
-        };
-        Ok(Run { plan, settings: settings.clone(), session: Session::new(problem)?, moved_before })
+        let bending = if plan.bends_before(settings) { BENDING_SHARE } else { 0.0 };
+        let (targets, moved_before) = plan.targets_to_fit(settings, &mut |share| progress(bending * share))?;
+        let wire = plan.first_wire(&targets, settings, &mut |share| progress(bending + (1.0 - bending) * share))?;
+        let session = Session::new(plan.problem(wire, targets, settings))?;
+        Ok(Run { plan, settings: settings.clone(), session, moved_before })
+    }
+
+    /// The whole state, to go on from later: see [`Run::resume`].
+    pub fn checkpoint(&self) -> Vec<u8> {
+        SavedRun::new(&self.plan, &self.settings, self.session.checkpoint()).to_bytes()
+    }
+
+    /// Goes on from a checkpoint of a run of the same drawings: with the same settings bit for bit as if it had never
+    /// been interrupted, with others from here on as these say. `progress` as in [`Run::start`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] for bytes that are no checkpoint, damaged or of other drawings; [`Error::Setting`] for a
+    /// setting that would have made it another run.
+    pub fn resume(
+        plan: Plan,
+        settings: &Settings,
+        checkpoint: &[u8],
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<Run> {
+        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan, settings)?;
+        let (targets, moved_before) = plan.targets_to_fit(settings, progress)?;
+        // The wire as it was grown is gone; only its form counts now.
+        let problem = plan.problem(saved.wire().clone(), targets, settings);
+        Ok(Run { settings: settings.clone(), session: Session::resume(problem, saved)?, plan, moved_before })
     }
 
     /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.

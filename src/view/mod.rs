@@ -7,6 +7,7 @@ mod mask;
 mod picture;
 #[cfg(feature = "cli")]
 mod read;
+mod reading;
 mod spec;
 mod stroke_width;
 #[cfg(feature = "cli")]
@@ -19,6 +20,7 @@ pub use mask::{Components, Mask, NOWHERE, PixelBox};
 pub use picture::{MAX_PICTURE_PIXELS, MAX_PICTURE_PX, Picture, Polarity, ink};
 #[cfg(feature = "cli")]
 pub use read::{decode_picture, read_picture};
+pub use reading::Reading;
 pub use spec::{MAX_VIEW_PX, ViewSpec, parse_placed_picture};
 #[cfg(feature = "cli")]
 pub use write::{GreyDepth, encode_png, write_png};

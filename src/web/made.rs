@@ -2,6 +2,7 @@
 
 use super::json;
 use super::pictures::ViewTarget;
+use crate::Error;
 use crate::export::{self, ExportOptions, Format};
 use crate::metrics::ResultReport;
 use crate::sculpture::Sculpture;
@@ -31,7 +32,7 @@ impl WireData {
     }
 }
 
-/// A finished wire, from a run or from a link.
+/// A finished wire, from a run, a link or a file.
 #[wasm_bindgen]
 pub struct Made {
     sculpture: Sculpture,
@@ -43,15 +44,24 @@ impl Made {
     pub(super) fn new(sculpture: Sculpture, targets: Vec<ViewTarget>, result: ResultReport) -> Made {
         Made { sculpture, targets, result }
     }
+
+    /// Without drawings to compare with.
+    fn alone(sculpture: Sculpture) -> Made {
+        let result = ResultReport::measure(&sculpture, &[]);
+        Made { sculpture, targets: Vec::new(), result }
+    }
 }
 
 #[wasm_bindgen]
 impl Made {
     /// Opens what a link carries.
     pub fn from_share_code(code: &str) -> Result<Made, JsError> {
-        let sculpture = export::open_share_code(code)?;
-        let result = ResultReport::measure(&sculpture, &[]);
-        Ok(Made { sculpture, targets: Vec::new(), result })
+        Ok(Made::alone(export::open_share_code(code)?))
+    }
+
+    /// Opens a wire.json; `name` is what the person calls the file.
+    pub fn from_file(name: &str, file: &[u8]) -> Result<Made, JsError> {
+        Ok(Made::alone(Sculpture::from_json(name, file)?))
     }
 
     /// What a link carries.
@@ -85,17 +95,22 @@ impl Made {
         self.targets[index].clone()
     }
 
-    /// The tube as a GLB file.
-    pub fn glb(&self) -> Result<Vec<u8>, JsError> {
-        self.file(Format::Glb)
-    }
-
     /// The wire.json file.
-    pub fn wire_json(&self) -> Result<Vec<u8>, JsError> {
-        self.file(Format::WireJson)
+    pub fn file(&self) -> Vec<u8> {
+        self.sculpture.to_json().into_bytes()
     }
+}
 
-    fn file(&self, format: Format) -> Result<Vec<u8>, JsError> {
-        Ok(export::export(&self.sculpture, format, None, &ExportOptions::default())?)
+/// A wire.json as a file of another format, by its ending; `view` is the name of the view an SVG draws.
+#[wasm_bindgen]
+pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {
+    let sculpture = Sculpture::from_json("wire.json", file)?;
+    let format = Format::from_path(&format!("wire.{format}"))?;
+    let drawn = sculpture.views.iter().find(|known| known.name == view);
+    if format == Format::Svg && drawn.is_none() && !sculpture.views.is_empty() {
+        let names: Vec<&str> = sculpture.views.iter().map(|view| view.name.as_str()).collect();
+        let problem = format!("the wire has no view {view:?}");
+        return Err(Error::setting("view", problem, format!("give one of {}", names.join(", "))).into());
     }
+    Ok(export::export(&sculpture, format, drawn, &ExportOptions::default())?)
 }

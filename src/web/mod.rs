@@ -3,9 +3,10 @@
 
 mod made;
 mod pictures;
+mod preview;
 mod run;
 
-use crate::settings::{Settings, TABLE};
+use crate::settings::{Preset, Settings, TABLE};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -16,10 +17,15 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// The settings table as JSON.
+/// The settings table and each preset's values, as JSON.
 #[wasm_bindgen]
 pub fn settings_table() -> String {
-    json(&TABLE)
+    let presets: BTreeMap<_, _> = Preset::ALL
+        .iter()
+        .zip(Preset::WORDS)
+        .map(|(&preset, word)| (word, Settings::preset(preset).to_texts()))
+        .collect();
+    json(&serde_json::json!({ "rows": TABLE, "presets": presets }))
 }
 
 /// Settings from a JSON object of texts by name.

@@ -1,44 +1,70 @@
-//! Pictures on their way in, and ink on its way out.
+//! Pictures and drawings on their way in, and ink on its way out.
 
-use super::{json, parse_settings};
-use crate::Result;
+use super::json;
 use crate::settings::Settings;
-use crate::tasks::multiview::{Drawing, Plan};
-use crate::view::{Image, Picture, View};
+use crate::tasks::multiview::{Drawing, Placed, Plan};
+use crate::view::{Image, Picture, Polarity, Reading};
 use wasm_bindgen::prelude::*;
 
-/// Pictures for a run, in the order front, side, top.
+/// Drawings for a preview or a run, in the order front, side, top.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct PictureSet(Vec<Picture>);
+pub struct DrawingSet(Vec<Drawing>);
 
 #[wasm_bindgen]
-impl PictureSet {
+impl DrawingSet {
     /// None yet.
     #[wasm_bindgen(constructor)]
-    pub fn new() -> PictureSet {
-        PictureSet::default()
+    pub fn new() -> DrawingSet {
+        DrawingSet::default()
     }
 
-    /// Adds straight (not premultiplied) RGBA, rows from the top.
-    pub fn add(&mut self, name: &str, width: usize, height: usize, rgba: Vec<u8>) -> Result<(), JsError> {
-        self.0.push(Picture::new(name, width, height, rgba)?);
+    /// Adds ink, one byte a pixel, 0 (ground) to 255 (ink), rows from the top.
+    pub fn add(&mut self, name: &str, width: usize, height: usize, ink: &[u8]) -> Result<(), JsError> {
+        self.0.push(Drawing::from_ink(name, width, height, ink)?);
         Ok(())
     }
 }
 
-impl PictureSet {
-    pub(super) fn drawings(&self, settings: &Settings) -> Result<Vec<Drawing>> {
-        self.0.iter().map(|picture| Drawing::new(picture, None, settings)).collect()
+impl DrawingSet {
+    pub(super) fn drawings(&self) -> &[Drawing] {
+        &self.0
     }
 }
 
-/// What the core sees in a picture.
+/// What the core sees in a picture of straight (not premultiplied) RGBA, rows from the top. `ink` is `auto`, `dark` or
+/// `light`, `threshold` the least strength of ink, 0 to leave tones.
 #[wasm_bindgen]
-pub fn read_ink(name: &str, width: usize, height: usize, rgba: Vec<u8>, settings: &str) -> Result<Ink, JsError> {
-    let picture = Picture::new(name, width, height, rgba)?;
-    let drawing = Drawing::new(&picture, None, &parse_settings(settings)?)?;
-    Ok(Ink::new(&drawing.ink))
+pub fn read_ink(
+    name: &str,
+    width: usize,
+    height: usize,
+    rgba: Vec<u8>,
+    ink: &str,
+    threshold: f32,
+) -> Result<FoundInk, JsError> {
+    let mut settings = Settings::default();
+    settings.set("ink", ink)?;
+    let reading = Reading { polarity: Polarity::from(settings.ink), threshold };
+    let (image, polarity) = reading.of(&Picture::new(name, width, height, rgba)?)?;
+    Ok(FoundInk { ink: Ink::new(&image), is_light: polarity == Polarity::LightInk })
+}
+
+/// What the ink finder saw.
+#[wasm_bindgen]
+pub struct FoundInk {
+    /// Whether the ink is lighter than its ground.
+    #[wasm_bindgen(readonly)]
+    pub is_light: bool,
+    ink: Ink,
+}
+
+#[wasm_bindgen]
+impl FoundInk {
+    /// The ink.
+    pub fn ink(&self) -> Ink {
+        self.ink.clone()
+    }
 }
 
 /// One channel, 0 (ground) to 255 (ink).
@@ -73,42 +99,22 @@ impl Ink {
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct ViewTarget {
-    /// Share of the drawing's ink that any object at all could show, 0 to 1.
-    #[wasm_bindgen(readonly)]
-    pub coverable: f32,
-    /// Which of the run's pictures it is, from 0.
-    #[wasm_bindgen(readonly)]
-    pub source: usize,
-    /// Whether that picture is seen mirrored.
-    #[wasm_bindgen(readonly)]
-    pub mirrored: bool,
-    /// By how many quarters it is turned.
-    #[wasm_bindgen(readonly)]
-    pub quarter_turns: u8,
-    view: View,
+    placed: Placed,
     ink: Ink,
 }
 
 impl ViewTarget {
     /// View `index` of a plan, with `image` as what it should show.
     pub(super) fn new(plan: &Plan, index: usize, image: &Image) -> ViewTarget {
-        let placement = &plan.arrangement.placements[index];
-        ViewTarget {
-            coverable: plan.coverable[index].share,
-            source: placement.source,
-            mirrored: placement.orientation.mirrored,
-            quarter_turns: placement.orientation.quarter_turns,
-            view: plan.arrangement.targets[index].view.clone(),
-            ink: Ink::new(image),
-        }
+        ViewTarget { placed: plan.placed(index), ink: Ink::new(image) }
     }
 }
 
 #[wasm_bindgen]
 impl ViewTarget {
-    /// The view as JSON, as in wire.json.
-    pub fn view(&self) -> String {
-        json(&self.view)
+    /// The view, as in wire.json, and how its drawing was laid into it, as JSON.
+    pub fn placed(&self) -> String {
+        json(&self.placed)
     }
 
     /// What it should show.

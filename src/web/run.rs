@@ -1,48 +1,80 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
 use super::made::{Made, WireData};
-use super::parse_settings;
-use super::pictures::{PictureSet, ViewTarget};
-use crate::tasks::multiview;
+use super::pictures::{DrawingSet, ViewTarget};
+use super::{json, parse_settings};
+use crate::Result;
+use crate::settings::Settings;
+use crate::tasks::multiview::{self, Plan};
 use wasm_bindgen::prelude::*;
 
 /// A fit under way.
 #[wasm_bindgen]
 pub struct Run(multiview::Run);
 
+/// The worker's ears: `tell(words, share)` hears how far the start is, `note(words)` what a person should know about
+/// the drawings. A page that cannot listen does not stop the run.
+struct Ears<'a> {
+    tell: &'a js_sys::Function,
+    note: &'a js_sys::Function,
+}
+
+impl Ears<'_> {
+    fn tell(&self, words: &str, share: f32) {
+        let _ = self.tell.call2(&JsValue::NULL, &words.into(), &share.into());
+    }
+
+    fn plan(&self, drawings: &DrawingSet, settings: &Settings) -> Result<Plan> {
+        self.tell("Finding where the drawings agree…", 0.0);
+        let plan = multiview::plan(drawings.drawings(), settings)?;
+        for words in plan.notes() {
+            let _ = self.note.call1(&JsValue::NULL, &words.into());
+        }
+        Ok(plan)
+    }
+}
+
 #[wasm_bindgen]
 impl Run {
-    /// Arranges the drawings and grows the first wire. `tell(words, share)` hears how far it is, `note(words)` what a
-    /// person should know about the drawings.
+    /// Arranges the drawings and grows the first wire.
     pub fn start(
-        pictures: PictureSet,
+        drawings: &DrawingSet,
         settings: &str,
         tell: &js_sys::Function,
         note: &js_sys::Function,
     ) -> Result<Run, JsError> {
-        let say = |words: &str, share: f64| {
-            // A page that cannot listen does not stop the run.
-            let _ = tell.call2(&JsValue::NULL, &words.into(), &share.into());
-        };
-        let settings = parse_settings(settings)?;
-        say("Trying which drawing goes where", 0.0);
-        let plan = multiview::plan(&pictures.drawings(&settings)?, &settings)?;
-        for words in plan.notes() {
-            let _ = note.call1(&JsValue::NULL, &words.into());
-        }
-        let words =
-            format!("Finding a way for the wire; {:.0}% of the ink can be shown", 100.0 * plan.mean_coverable());
-        say(&words, 0.0);
+        let (ears, settings) = (Ears { tell, note }, parse_settings(settings)?);
+        let plan = ears.plan(drawings, &settings)?;
+        let share = 100.0 * plan.mean_coverable();
+        let words = format!("Finding a way for the wire… {share:.0}% of the ink can be shown");
+        ears.tell(&words, 0.0);
         let run = multiview::Run::start(plan, &settings, &mut |share| {
-            say(&words, share.into());
+            ears.tell(&words, share);
             true
         })?;
         Ok(Run(run))
     }
 
-    /// Up to `count` more iterations.
-    pub fn step(&mut self, count: usize) {
-        self.0.step(count);
+    /// Goes on from a checkpoint of a run of the same drawings.
+    pub fn resume(
+        drawings: &DrawingSet,
+        settings: &str,
+        checkpoint: &[u8],
+        tell: &js_sys::Function,
+        note: &js_sys::Function,
+    ) -> Result<Run, JsError> {
+        let (ears, settings) = (Ears { tell, note }, parse_settings(settings)?);
+        let plan = ears.plan(drawings, &settings)?;
+        let run = multiview::Run::resume(plan, &settings, checkpoint, &mut |share| {
+            ears.tell("Going on from there…", share);
+            true
+        })?;
+        Ok(Run(run))
+    }
+
+    /// Up to `count` more iterations; what happened, as JSON.
+    pub fn step(&mut self, count: usize) -> String {
+        json(&self.0.step(count))
     }
 
     /// Iterations done.
@@ -69,6 +101,11 @@ impl Run {
     /// The wire as it is now.
     pub fn wire(&self) -> WireData {
         WireData(self.0.session().wire())
+    }
+
+    /// The whole state, for [`Run::resume`].
+    pub fn checkpoint(&self) -> Vec<u8> {
+        self.0.checkpoint()
     }
 
     /// Number of views.

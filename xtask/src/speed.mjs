@@ -8,13 +8,15 @@ const [folder, ...pictures] = process.argv.slice(2);
 const wasm = await import(pathToFileURL(join(folder, "wire4d.js")).href);
 wasm.initSync({ module: await readFile(join(folder, "wire4d_bg.wasm")) });
 
-const set = new wasm.PictureSet();
+const drawings = new wasm.DrawingSet();
 for (let i = 0; i < pictures.length; i += 4) {
   const [name, width, height, file] = pictures.slice(i, i + 4);
-  set.add(name, Number(width), Number(height), new Uint8Array(await readFile(file)));
+  const rgba = new Uint8Array(await readFile(file));
+  const ink = wasm.read_ink(name, Number(width), Number(height), rgba, "auto", 0).ink();
+  drawings.add(name, ink.width, ink.height, ink.bytes());
 }
 const begin = performance.now();
-const run = wasm.Run.start(set, JSON.stringify({ preset: "fast", bend: "none" }), () => {}, () => {});
+const run = wasm.Run.start(drawings, JSON.stringify({ preset: "fast", bend: "none" }), () => {}, () => {});
 const middle = performance.now();
 while (run.iteration < run.iterations) run.step(20);
 const end = performance.now();

@@ -13,6 +13,7 @@ interface Waiting {
 }
 
 const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; please try again.";
+const ABSENT = "The engine could not be started. Reload the page; if that does not help, use another browser or a normal window.";
 
 export class EngineClient {
   private worker: Worker | null = null;
@@ -25,6 +26,7 @@ export class EngineClient {
 
   call<K extends CallName>(call: K, given: Calls[K]["arguments"], transfer: Transferable[] = []): Promise<Calls[K]["answer"]> {
     const worker = this.worker ?? this.start();
+    if (!worker) return Promise.reject(new Problem(ABSENT));
     const id = this.nextId++;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve: resolve as (answer: unknown) => void, reject });
@@ -42,9 +44,18 @@ export class EngineClient {
     this.start();
   }
 
-  private start(): Worker {
-    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "wire4d" });
+  /** A worker where the browser allows one. One that turns out not to load is dropped; the next call tries again. */
+  private start(): Worker | null {
+    let worker: Worker;
+    try {
+      worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "wire4d" });
+    } catch (error) {
+      console.error(error);
+      return null;
+    }
+    let heard = false;
     worker.onmessage = ({ data }: MessageEvent<Answer | News>) => {
+      heard = true;
       if ("news" in data) {
         this.onNews(data);
         return;
@@ -57,7 +68,7 @@ export class EngineClient {
     worker.onerror = (event) => {
       event.preventDefault();
       console.error(event.message);
-      if (this.worker === worker) this.drop(new Problem(CRASHED));
+      if (this.worker === worker) this.drop(new Problem(heard ? CRASHED : ABSENT));
     };
     this.worker = worker;
     return worker;

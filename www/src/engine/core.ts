@@ -1,102 +1,167 @@
 /** The wasm module in the page's own words. Imported by the worker and by nothing else. */
 
 import type { WireShape } from "../embed/shape";
-import type { ExportFormat, Finished, Frame, Ink, Measures, Picture, SettingRow, SettingValues, Target, View } from "./protocol";
+import type {
+  Drawing,
+  ExportFormat,
+  Finished,
+  FoundInk,
+  Frame,
+  Ink,
+  Measures,
+  Picture,
+  Placed,
+  Preview,
+  Reading,
+  RunEvent,
+  SettingsTable,
+  SettingValues,
+  Snapshot,
+  Target,
+  View,
+} from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
 
+type Bytes = Uint8Array<ArrayBuffer>;
+
+/** A wire's numbers in buffers of their own, which can be given away. */
+export interface OwnShape extends WireShape {
+  readonly knots: Float64Array<ArrayBuffer>;
+  readonly controlPoints: Float32Array<ArrayBuffer>;
+}
+
 export interface CoreRun {
-  /** Up to `count` steps; where it is now. */
-  step(count: number): { iteration: number; iterations: number };
-  frame(): Frame;
+  readonly iteration: number;
+  readonly iterations: number;
+  /** Up to `count` iterations; what happened. */
+  step(count: number): readonly RunEvent[];
+  frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
+  snapshot(): Snapshot & { readonly wire: OwnShape };
   targets(): Target[];
-  /** Ends the run with the best wire so far. */
-  finish(): CoreSculpture;
+  /** The best wire so far, measured. */
+  finish(): Finished;
   free(): void;
 }
 
-export interface CoreSculpture {
-  show(): Finished;
-  export(format: ExportFormat): Uint8Array<ArrayBuffer>;
-  share(): string;
-  free(): void;
+/** What the core says while it starts: how far it is, and what a person should know about the drawings. */
+export interface Ears {
+  tell(words: string, share: number): void;
+  note(words: string): void;
 }
 
-const ready = init({ module_or_path: moduleUrl });
+/** The smallest module that uses SIMD: a function that makes a vector and drops it. */
+const SIMD = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 9, 1, 7, 0, 65, 0, 253, 15, 26, 11,
+]);
 
-export const core = {
-  ready,
+/** Loads the module; why that does not work is said in a sentence for people. */
+async function load(): Promise<typeof core> {
+  if (typeof WebAssembly === "undefined" || !WebAssembly.validate(SIMD)) {
+    throw new Error(
+      "This browser lacks WebAssembly SIMD, which the engine needs; wires from links can still be looked at. " +
+        "Update the browser, or use a current Firefox, Chrome, Edge or Safari.",
+    );
+  }
+  try {
+    await init({ module_or_path: moduleUrl });
+    return core;
+  } catch (error) {
+    console.error(error);
+    throw new Error("The engine could not be loaded. Check the connection and reload the page.");
+  }
+}
 
-  settings(): SettingRow[] {
-    return JSON.parse(wasm.settings_table()) as SettingRow[];
+const core = {
+  settings: (): SettingsTable => JSON.parse(wasm.settings_table()) as SettingsTable,
+
+  read(picture: Picture, reading: Reading): FoundInk {
+    const rgba = new Uint8Array(picture.rgba.buffer, picture.rgba.byteOffset, picture.rgba.byteLength);
+    const found = wasm.read_ink(picture.name, picture.width, picture.height, rgba, reading.ink, reading.threshold);
+    return taken(found, () => ({ ...ink(found.ink()), polarity: found.is_light ? "light" : "dark" }));
   },
 
-  read(picture: Picture, settings: SettingValues): Ink {
-    const ink = wasm.read_ink(picture.name, picture.width, picture.height, bytes(picture), JSON.stringify(settings));
-    return taken(ink, plain);
+  preview(drawings: readonly Drawing[], settings: SettingValues): Preview {
+    const found = taken(set(drawings), (drawings) => wasm.Preview.of(drawings, JSON.stringify(settings)));
+    return taken(found, () => {
+      type Words = Omit<Preview, "drawings"> & { readonly drawings: readonly Placed[] };
+      const words = JSON.parse(found.words()) as Words;
+      const pictures = (index: number) => ({ seen: ink(found.seen(index)), missing: ink(found.missing(index)) });
+      return { ...words, drawings: words.drawings.map((placed, index) => ({ ...placed, ...pictures(index) })) };
+    });
   },
 
-  start(
-    pictures: readonly Picture[],
-    settings: SettingValues,
-    tell: (words: string, share: number) => void,
-    note: (words: string) => void,
-  ): CoreRun {
-    const set = new wasm.PictureSet();
-    for (const picture of pictures) set.add(picture.name, picture.width, picture.height, bytes(picture));
-    return wrapRun(wasm.Run.start(set, JSON.stringify(settings), tell, note));
+  start(drawings: readonly Drawing[], settings: SettingValues, from: Bytes | null, { tell, note }: Ears): CoreRun {
+    const given = JSON.stringify(settings);
+    const begin = (drawings: wasm.DrawingSet) =>
+      from ? wasm.Run.resume(drawings, given, from, tell, note) : wasm.Run.start(drawings, given, tell, note);
+    return pulled(taken(set(drawings), begin));
   },
 
-  open(code: string): CoreSculpture {
-    return wrapSculpture(wasm.Made.from_share_code(code));
-  },
+  open: (given: { code: string } | { file: Bytes; name: string }): Finished =>
+    taken("code" in given ? wasm.Made.from_share_code(given.code) : wasm.Made.from_file(given.name, given.file), finished),
+
+  export: (file: Bytes, format: ExportFormat, view: string): Bytes => own(wasm.export_file(file, format, view)),
 };
 
-function wrapRun(run: wasm.Run): CoreRun {
+let loading: Promise<typeof core> | null = null;
+
+/** The core once it is loaded; every call waits for it, and hears why it cannot be. */
+export function loaded(): Promise<typeof core> {
+  return (loading ??= load());
+}
+
+function set(drawings: readonly Drawing[]): wasm.DrawingSet {
+  const set = new wasm.DrawingSet();
+  try {
+    for (const { name, width, height, ink } of drawings) set.add(name, width, height, ink);
+  } catch (error) {
+    set.free();
+    throw error;
+  }
+  return set;
+}
+
+function pulled(run: wasm.Run): CoreRun {
+  const frame = () => ({ wire: shape(run.wire()), iteration: run.iteration, iterations: run.iterations, loss: run.loss });
   return {
-    step: (count) => {
-      run.step(count);
-      return { iteration: run.iteration, iterations: run.iterations };
+    get iteration() {
+      return run.iteration;
     },
-    frame: () => ({ wire: taken(run.wire(), shape), iteration: run.iteration, iterations: run.iterations, loss: run.loss }),
+    get iterations() {
+      return run.iterations;
+    },
+    step: (count) => JSON.parse(run.step(count)) as RunEvent[],
+    frame,
+    snapshot: () => ({ ...frame(), checkpoint: own(run.checkpoint()) }),
     targets: () => targets(run),
-    finish: () => wrapSculpture(run.finish()),
+    finish: () => taken(run.finish(), finished),
     free: () => run.free(),
   };
 }
 
-function wrapSculpture(made: wasm.Made): CoreSculpture {
+function finished(made: wasm.Made): Finished {
   return {
-    show: () => ({
-      wire: taken(made.wire(), shape),
-      views: JSON.parse(made.views()) as View[],
-      targets: targets(made),
-      measures: JSON.parse(made.result()) as Measures,
-    }),
-    export: (format) => own(format === "glb" ? made.glb() : made.wire_json()),
-    share: () => made.share_code(),
-    free: () => made.free(),
+    wire: shape(made.wire()),
+    views: JSON.parse(made.views()) as View[],
+    targets: targets(made),
+    measures: JSON.parse(made.result()) as Measures,
+    file: own(made.file()),
+    code: made.share_code(),
   };
 }
 
-function shape(wire: wasm.WireData): WireShape {
-  return { closed: wire.closed, knots: wire.knots(), controlPoints: wire.control_points() };
+function shape(wire: wasm.WireData): OwnShape {
+  return taken(wire, () => ({ closed: wire.closed, knots: wire.knots(), controlPoints: wire.control_points() }) as OwnShape);
 }
 
-function plain(ink: wasm.Ink): Ink {
-  return { width: ink.width, height: ink.height, ink: own(ink.bytes()) };
+function ink(ink: wasm.Ink): Ink {
+  return taken(ink, () => ({ width: ink.width, height: ink.height, ink: own(ink.bytes()) }));
 }
 
 function targets(of: { target_count: number; target(index: number): wasm.ViewTarget }): Target[] {
   return Array.from({ length: of.target_count }, (_, index) =>
-    taken(of.target(index), (target) => ({
-      view: JSON.parse(target.view()) as View,
-      coverable: target.coverable,
-      source: target.source,
-      mirrored: target.mirrored,
-      quarterTurns: target.quarter_turns,
-      ...taken(target.ink(), plain),
-    })),
+    taken(of.target(index), (target) => ({ ...(JSON.parse(target.placed()) as Placed), ...ink(target.ink()) })),
   );
 }
 
@@ -108,11 +173,7 @@ function taken<T extends { free(): void }, R>(handle: T, read: (handle: T) => R)
   }
 }
 
-function bytes(picture: Picture): Uint8Array {
-  return new Uint8Array(picture.rgba.buffer, picture.rgba.byteOffset, picture.rgba.byteLength);
-}
-
 /** The binding copies out of wasm memory, so the buffer is a plain one. */
-function own(copied: Uint8Array): Uint8Array<ArrayBuffer> {
-  return copied as Uint8Array<ArrayBuffer>;
+function own(copied: Uint8Array): Bytes {
+  return copied as Bytes;
 }

@@ -1,0 +1,115 @@
+/** Pulls a run in short slices, so that words from the page get through, and tells the page how it goes. */
+
+import type { CoreRun, OwnShape } from "./core";
+import type { Control, News } from "./protocol";
+
+/** How long the run works before it listens again, and the least time between two frames. */
+const SLICE_MS = 30;
+const FRAME_MS = 1000 / 30;
+/** Most iterations of a slice. */
+const MOST_STEPS = 64;
+/** Over how much running time speed is measured. */
+const SPEED_MS = 1000;
+/** Snapshots in a whole run, and the share of the running time that they may take. */
+const SNAPSHOTS = 40;
+const SNAPSHOT_SHARE = 0.02;
+
+type Wanted = "run" | "pause" | "step" | "stop";
+
+export class Pull {
+  private wanted: Wanted = "run";
+  /** Whether the page has seen the last frame: a slow page is not flooded. */
+  private seen = true;
+  private wake: () => void = () => undefined;
+  /** As many iterations as fill a slice, found as the run goes. */
+  private steps = 1;
+  private runningMs = 0;
+  /** Running time and iteration after each slice of the last second or so. */
+  private readonly pace: [number, number][] = [];
+  private framed = { at: -Infinity, iteration: -1 };
+  private snapped = { iteration: -1, ms: 0 };
+
+  constructor(private readonly tell: (news: News, transfer?: Transferable[]) => void) {}
+
+  hear(control: Control["control"]): void {
+    if (control === "seen") this.seen = true;
+    else if (this.wanted !== "stop") this.wanted = control === "resume" ? "run" : control;
+    this.wake();
+  }
+
+  /** Resolves when the run is over or was stopped. `resumed`: the page has the state it begins with. */
+  async toTheEnd(run: CoreRun, resumed: boolean): Promise<void> {
+    this.pace.push([0, run.iteration]);
+    if (resumed) this.snapped.iteration = run.iteration;
+    this.snapshot(run);
+    while (run.iteration < run.iterations && this.wanted !== "stop") {
+      if (this.wanted === "pause") {
+        await this.rest(run);
+      } else {
+        this.slice(run);
+        await listen();
+      }
+    }
+    // The page may not have asked for it, but no other frame follows.
+    this.frame(run);
+    this.snapshot(run);
+  }
+
+  /** Waits for a word from the page. Nothing is lost if none ever comes. */
+  private async rest(run: CoreRun): Promise<void> {
+    this.snapshot(run);
+    if (this.seen) this.frame(run);
+    await new Promise<void>((resolve) => (this.wake = resolve));
+  }
+
+  private slice(run: CoreRun): void {
+    const single = this.wanted === "step";
+    if (single) this.wanted = "pause";
+    const apart = Math.ceil(run.iterations / SNAPSHOTS);
+    const first = run.iteration;
+    const before = performance.now();
+    for (const event of run.step(single ? 1 : Math.min(this.steps, apart - (first % apart)))) this.tell({ news: "event", event });
+    const now = performance.now();
+    const took = Math.max(0.1, now - before);
+    this.runningMs += took;
+    if (!single) this.steps = Math.round(Math.max(1, Math.min(MOST_STEPS, ((run.iteration - first) * SLICE_MS) / took)));
+    this.pace.push([this.runningMs, run.iteration]);
+    while (this.runningMs - this.pace[1]![0] > SPEED_MS) this.pace.shift();
+    if (this.seen && now - this.framed.at >= FRAME_MS) this.frame(run);
+    if (run.iteration % apart === 0 && this.snapped.ms <= SNAPSHOT_SHARE * this.runningMs) this.snapshot(run);
+  }
+
+  private frame(run: CoreRun): void {
+    if (run.iteration === this.framed.iteration) return;
+    const [fromMs, from] = this.pace[0]!;
+    const iterationsPerSecond = this.runningMs > fromMs ? (1000 * (run.iteration - from)) / (this.runningMs - fromMs) : 0;
+    const frame = { ...run.frame(), iterationsPerSecond };
+    this.framed = { at: performance.now(), iteration: run.iteration };
+    this.seen = false;
+    this.tell({ news: "frame", frame }, buffers(frame.wire));
+  }
+
+  private snapshot(run: CoreRun): void {
+    if (run.iteration === this.snapped.iteration) return;
+    const before = performance.now();
+    const snapshot = run.snapshot();
+    this.tell({ news: "snapshot", snapshot }, [snapshot.checkpoint.buffer, ...buffers(snapshot.wire)]);
+    this.snapped = { iteration: run.iteration, ms: this.snapped.ms + performance.now() - before };
+  }
+}
+
+/** To be given to the page instead of copied. */
+function buffers(wire: OwnShape): ArrayBuffer[] {
+  return [wire.knots.buffer, wire.controlPoints.buffer];
+}
+
+const { port1, port2 } = new MessageChannel();
+let heard: () => void = () => undefined;
+port1.onmessage = () => heard();
+/** Lets waiting messages in; a timer would be slowed down by the browser where the page is not looked at. */
+function listen(): Promise<void> {
+  return new Promise((resolve) => {
+    heard = resolve;
+    port2.postMessage(null);
+  });
+}
