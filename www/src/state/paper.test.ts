@@ -51,6 +51,17 @@ describe("strokes", () => {
     expect(total / (Math.PI * 64)).toBeCloseTo(1, 1);
   });
 
+  it("keep no more points than they need", () => {
+    const circle = Float32Array.from({ length: 800 }, (_, i) => 256 + 100 * (i % 2 ? Math.sin : Math.cos)((2 * Math.PI * Math.floor(i / 2)) / 399));
+    const paper = withStroke(null, { erase: false, widthPx: 16, points: circle });
+    const { points } = paper.layers[0] as { points: Float32Array };
+    expect(points.length / 2).toBeLessThan(80);
+    const radii = Array.from({ length: points.length / 2 }, (_, i) => Math.hypot(points[2 * i]! - 256, points[2 * i + 1]! - 256));
+    for (const radius of radii) expect(Math.abs(radius - 100)).toBeLessThan(0.1);
+    const there = line(...Array.from({ length: 100 }, (_, i) => [100 + i, 300]).flat(), 100, 300);
+    expect(withStroke(null, { erase: false, widthPx: 16, points: there }).layers[0]).toMatchObject({ points: line(100, 300, 199, 300, 100, 300) });
+  });
+
   it("stop at the sheet's edge", () => {
     expect(at(withStroke(null, pen(-40, 10, 560, 10)), 511, 10)).toBe(255);
   });

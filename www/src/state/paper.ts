@@ -1,7 +1,7 @@
 /** A pad's drawing: layers of ink on a square sheet, and what may be done to it. Immutable: every change is a new sheet. */
 
 import type { Drawing, FoundInk, Picture, Reading } from "../engine/protocol";
-import { fitted, laid, laidPoints, over, quarters, stroke } from "./stamp";
+import { fitted, laid, laidPoints, over, quarters, stroke, thinned } from "./stamp";
 
 /** Side of a sheet, px; y down. */
 export const PAPER_PX = 512;
@@ -50,13 +50,15 @@ export interface Paper {
 const MARGIN = 0.04;
 /** Points are kept on this binary grid, so that turning a sheet there and back gives the very same numbers. */
 const GRID_PX = 1 / 16;
+/** A hand's line keeps only the points without which it would be this far off. */
+const SMOOTH_PX = 0.4;
 /** Fainter than this everywhere is a blank sheet: noise, not a drawing. */
 const FAINT = 16;
 
 const BLANK_PAPER: Paper = { layers: [], label: "" };
 
 export function withStroke(paper: Paper | null, stroke: Omit<StrokeLayer, "kind">): Paper {
-  const points = stroke.points.map((value) => Math.round(value / GRID_PX) * GRID_PX);
+  const points = thinned(stroke.points, SMOOTH_PX).map((value) => Math.round(value / GRID_PX) * GRID_PX);
   const { layers, label } = paper ?? BLANK_PAPER;
   return { layers: [...layers, { kind: "stroke", ...stroke, points }], label: label || "Drawing" };
 }

@@ -51,6 +51,35 @@ const span = (a: number, b: number, reach: number, side: number): readonly [numb
   Math.min(side, Math.ceil(Math.max(a, b) + reach)),
 ];
 
+/** The same line with fewer points: none is further than the tolerance from what is left (Douglas and Peucker's way). */
+export function thinned(points: Float32Array<ArrayBuffer>, tolerance: number): Float32Array<ArrayBuffer> {
+  const count = points.length / 2;
+  if (count < 3) return points;
+  const kept = new Set([0, count - 1]);
+  const open: [number, number][] = [[0, count - 1]];
+  for (let range = open.pop(); range; range = open.pop()) {
+    const [first, last] = range;
+    let [furthest, most] = [0, tolerance];
+    for (let i = first + 1; i < last; i++) {
+      const distance = offLine(points, i, first, last);
+      if (distance > most) [furthest, most] = [i, distance];
+    }
+    if (furthest === 0) continue;
+    kept.add(furthest);
+    open.push([first, furthest], [furthest, last]);
+  }
+  return Float32Array.from([...kept].sort((a, b) => a - b).flatMap((i) => [points[2 * i]!, points[2 * i + 1]!]));
+}
+
+/** How far a point is from the segment between two others. */
+function offLine(points: Float32Array, i: number, a: number, b: number): number {
+  const [ax, ay] = [points[2 * a]!, points[2 * a + 1]!];
+  const [dx, dy] = [points[2 * b]! - ax, points[2 * b + 1]! - ay];
+  const [px, py] = [points[2 * i]! - ax, points[2 * i + 1]! - ay];
+  const t = dx || dy ? Math.min(1, Math.max(0, (px * dx + py * dy) / (dx * dx + dy * dy))) : 0;
+  return Math.hypot(px - t * dx, py - t * dy);
+}
+
 /** Ink scaled onto the middle of a square, as large as the margin lets it be, never stretched. */
 export function fitted({ width, height, ink }: Ink, side: number, margin: number): Sheet {
   const scale = (side * (1 - 2 * margin)) / Math.max(width, height);

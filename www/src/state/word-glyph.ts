@@ -113,7 +113,8 @@ function connected(steps: Float32Array, crest: (i: number) => boolean, side: num
 
 /** Three running means along each axis: close to a bell curve, at a cost that does not grow with its width. */
 function blurred(plane: Float32Array, side: number): Float32Array {
-  let [from, to] = [plane, new Float32Array(plane.length)];
+  let from: Float32Array = plane;
+  let to: Float32Array = new Float32Array(plane.length);
   for (const [step, line] of [[1, side], [1, side], [1, side], [side, 1], [side, 1], [side, 1]] as const) {
     for (let l = 0; l < side; l++) mean(from, to, l * line, step, side);
     [from, to] = [to, from === plane ? new Float32Array(plane.length) : from];

@@ -1,152 +1,394 @@
-import { css, html, LitElement, nothing, type PropertyValues } from "lit";
+import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../engine/protocol";
-import type { Pad, Slot } from "../state/studio";
-import { paintInk } from "../view/paint";
+import { SLOTS, type Slot } from "../state/document";
+import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../state/paper";
+import type { Studio, StudioState } from "../state/studio";
+import { percent, placement } from "../state/words";
 import { icons } from "./icons";
+import "./ink-canvas";
+import type { Pen } from "./ink-canvas";
 import { controls } from "./shared";
 
-/** One view's drawing: click, drop or paste a picture; shows the ink the core sees in it. Fires `give` and `clear`. */
+export type EditorTab = "draw" | "type" | "icons" | "picture";
+
+export interface EditRequest {
+  readonly slot: Slot;
+  readonly tab: EditorTab;
+}
+
+export const FIRST_PEN: Pen = { erase: false, widthPx: 16 };
+/** From here on all of the ink counts as shown. */
+export const AS_GOOD_AS_ALL = 0.985;
+
+export const titled = (slot: Slot): string => slot.charAt(0).toUpperCase() + slot.slice(1);
+
+/** The paper's ink as an image. */
+export const inkOf = (paper: Paper): Ink => ({ width: PAPER_PX, height: PAPER_PX, ink: compose(paper) });
+
+export const pictureIn = (paper: Paper | null): PictureLayer | undefined =>
+  paper?.layers.find((layer): layer is PictureLayer => layer.kind === "picture");
+
+/**
+ * One view's drawing: the ink as the optimiser sees it, to be drawn on at once with mouse or pen. Fires `edit` (an
+ * EditRequest) when somebody wants the large sheet.
+ */
 @customElement("drawing-pad")
 export class DrawingPad extends LitElement {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
   @property() slotName: Slot = "front";
-  @property({ attribute: false }) pad!: Pad;
-  @property({ type: Boolean }) locked = false;
   @state() private over = false;
-  @query("canvas") private canvas!: HTMLCanvasElement;
   @query("input") private input!: HTMLInputElement;
+  @query(".menu") private menu!: HTMLElement;
+  @query(".opener") private opener!: HTMLElement;
 
   static override styles = [
     controls,
     css`
       :host {
         display: block;
+        container-type: inline-size;
         min-width: 0;
       }
       .head {
         display: flex;
         align-items: center;
-        justify-content: space-between;
-        height: 32px;
+        gap: 8px;
+        min-height: 32px;
       }
-      .head h2 {
-        text-transform: capitalize;
+      h2 {
         color: var(--ink);
       }
-      .clear {
+      .moved {
+        flex: 1;
+        min-width: 0;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .opener {
+        margin-inline-start: auto;
+        margin-inline-end: -6px;
         width: 32px;
         min-height: 32px;
-        padding: 0;
-        border-color: transparent;
-        background: none;
         color: var(--quiet);
       }
-      .pad {
+      .row {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        gap: 8px;
+      }
+      .sheet {
         position: relative;
-        display: block;
-        width: 100%;
-        aspect-ratio: 1.25;
-        padding: 0;
+        aspect-ratio: 1;
         overflow: hidden;
+        border: 1px solid var(--line);
+        border-radius: 6px;
         background: var(--raised);
         box-shadow: var(--shadow);
+        color: var(--ink);
+        transition: border-color 150ms ease;
       }
-      .pad.over {
+      .sheet:hover {
+        border-color: var(--line-strong);
+      }
+      .over .sheet {
         border-color: var(--copper);
         outline: 2px solid var(--copper);
       }
-      canvas {
+      ink-canvas {
         position: absolute;
-        inset: 6px;
-        width: calc(100% - 12px);
-        height: calc(100% - 12px);
-        object-fit: contain;
+        inset: 0;
+        transition: opacity 150ms ease;
       }
-      .empty {
+      .busy ink-canvas {
+        opacity: 0.4;
+      }
+      .locked .sheet:hover {
+        border-color: var(--line);
+      }
+      .invitation {
+        position: absolute;
+        inset: 0;
         display: grid;
+        place-content: center;
         justify-items: center;
-        gap: 6px;
+        gap: 8px;
+        margin: 8px;
+        border: 1.5px dashed var(--line-strong);
+        border-radius: 4px;
         padding: 8px;
+        text-align: center;
+        text-wrap: balance;
         color: var(--quiet);
-        font-size: 13px;
-        line-height: 1.3;
+        pointer-events: none;
       }
-      .line {
-        min-height: 20px;
-        margin: 4px 0 0;
-        font-size: 13px;
-        line-height: 1.4;
-        color: var(--quiet);
-        overflow-wrap: anywhere;
+      .over .invitation {
+        border-color: var(--copper);
+        color: var(--ink);
       }
       .problem {
+        position: absolute;
+        inset-inline: 0;
+        inset-block-end: 0;
+        max-height: 100%;
+        margin: 0;
+        padding: 8px;
+        overflow: auto;
+        border-block-start: 2px solid var(--error);
+        background: var(--raised);
         color: var(--error);
+        overflow-wrap: anywhere;
       }
-      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
-        .pad {
-          aspect-ratio: 1;
+      .tools {
+        display: flex;
+        flex-direction: column;
+        justify-content: space-between;
+        gap: 2px;
+      }
+      .tools button {
+        flex: 1 1 auto;
+        max-height: 48px;
+        color: var(--quiet);
+      }
+      .tools button:hover:not(:disabled),
+      .opener:hover:not(:disabled) {
+        color: var(--ink);
+      }
+      .line {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        height: 20px;
+        margin: 4px 0 0;
+        overflow: hidden;
+        white-space: nowrap;
+      }
+      .line span {
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      .hatch {
+        flex: none;
+        width: 16px;
+        height: 10px;
+        border: 1px solid var(--amber);
+        border-radius: 2px;
+        background: repeating-linear-gradient(-45deg, var(--amber) 0 2px, transparent 2px 4px);
+      }
+      .line b {
+        font-weight: 600;
+        color: var(--amber-text);
+      }
+      .menu {
+        position: fixed;
+        inset: auto;
+        min-width: 208px;
+        margin: 0;
+        padding: 4px;
+        border: 1px solid var(--line);
+        border-radius: 6px;
+        background: var(--raised);
+        color: var(--ink);
+        box-shadow: var(--shadow);
+      }
+      .menu button {
+        display: flex;
+        justify-content: flex-start;
+        width: 100%;
+        min-height: 36px;
+        border-color: transparent;
+        background: none;
+      }
+      .menu button:is(:hover, :focus-visible):not(:disabled) {
+        background: color-mix(in srgb, var(--ink) 7%, transparent);
+      }
+      .menu hr {
+        margin: 4px 8px;
+        border: 0;
+        border-block-start: 1px solid var(--line);
+      }
+      .menu .icon {
+        color: var(--quiet);
+      }
+      /* A third of a phone's width: the sheet is the button, all else is in the editor and the menu. */
+      @container (max-width: 199px) {
+        .head {
+          min-height: 36px;
+          gap: 0;
         }
-        .empty span {
+        .row {
+          grid-template-columns: minmax(0, 1fr);
+        }
+        .tools,
+        .head .moved,
+        .line .more,
+        .invitation .long {
           display: none;
         }
-        /* Two lines, so that nothing jumps when a run says where the drawing went. */
-        .line {
-          min-height: 37px;
+        .invitation {
+          margin: 4px;
+        }
+        .problem {
+          padding: 6px;
+          font-size: 12px;
+          line-height: 1.25;
         }
       }
       @media (pointer: coarse) {
-        .clear {
+        .opener {
           width: 44px;
           min-height: 44px;
-          margin: -6px -10px -6px 0;
+          margin-block: -6px;
+          margin-inline-end: -10px;
+        }
+        .menu button {
+          min-height: 44px;
+        }
+      }
+      @media (forced-colors: active) {
+        .hatch {
+          forced-color-adjust: none;
         }
       }
     `,
   ];
 
+  private get paper(): Paper | null {
+    return this.state.doc.papers[this.slotName];
+  }
+
+  private get locked(): boolean {
+    return this.state.phase !== "idle";
+  }
+
   override render() {
-    const { pad, slotName, locked } = this;
+    const { state, slotName, paper, locked } = this;
+    const { busy, problem } = state.pads[slotName];
+    const preview = paper ? state.preview?.drawings[slotName] : undefined;
+    const moved = preview ? placement(slotName, preview).replace(/\.$/, "").toLowerCase() : "";
+    const name = titled(slotName);
     return html`
-      <div class="head">
-        <h2>${slotName}</h2>
-        ${pad.picture && !locked
-          ? html`<button class="clear" aria-label="Clear the ${slotName} drawing" @click=${() => this.dispatchEvent(new Event("clear"))}>
-              ${icons.close}
-            </button>`
-          : nothing}
-      </div>
-      <button
-        class="pad ${this.over ? "over" : ""}"
-        ?disabled=${locked}
-        aria-label="Choose a picture for the ${slotName} view"
-        aria-describedby="line"
-        @click=${() => this.input.click()}
+      <section
+        class="${this.over ? "over" : ""} ${busy ? "busy" : ""} ${locked ? "locked" : ""}"
+        aria-label="${name} drawing"
+        aria-busy=${busy}
         @dragover=${this.dragOver}
         @dragleave=${() => (this.over = false)}
         @drop=${this.drop}
       >
-        <canvas ?hidden=${!pad.ink}></canvas>
-        ${pad.ink
-          ? nothing
-          : html`<span class="empty">${icons.picture}<span>${pad.busy ? "Reading…" : "Choose, drop or paste a picture"}</span></span>`}
-      </button>
-      <p id="line" class="line ${pad.problem ? "problem" : ""}" role=${pad.problem ? "alert" : nothing}>${pad.problem || pad.placed || pad.note}</p>
-      <input type="file" accept="image/*" hidden tabindex="-1" @change=${this.chosen} />
+        <div class="head">
+          <h2>${name}</h2>
+          <span class="moved small quiet" title=${moved || nothing}>${moved}</span>
+          <button
+            class="opener plain square"
+            aria-label="More for the ${slotName} drawing"
+            title="More"
+            aria-haspopup="menu"
+            ?disabled=${locked}
+            @click=${this.openMenu}
+          >
+            ${icons.ellipsis}
+          </button>
+        </div>
+        <div class="row">
+          <div class="sheet" @click=${this.tapped}>
+            <ink-canvas
+              .ink=${preview?.seen ?? (paper ? inkOf(paper) : null)}
+              .missing=${preview?.missing ?? null}
+              .pen=${locked || busy ? null : FIRST_PEN}
+              name=${this.described(preview?.coverable)}
+              @stroke=${this.drawn}
+            ></ink-canvas>
+            ${paper || busy ? nothing : this.invitation()}
+            ${problem ? html`<p class="problem small" role="alert">${problem}</p>` : nothing}
+          </div>
+          <div class="tools" role="group" aria-label="Tools for the ${slotName} drawing">
+            ${this.tool("Draw", icons.pencil, () => this.edit("draw"))} ${this.tool("Type a word or an emoji", icons.type, () => this.edit("type"))}
+            ${this.tool("Take an icon", icons.shapes, () => this.edit("icons"))} ${this.tool("Choose a picture", icons.picture, () => this.input.click())}
+          </div>
+        </div>
+        <p class="line small quiet">${this.line(preview?.coverable)}</p>
+        <div class="menu small" role="menu" aria-label="More for the ${slotName} drawing" popover @keydown=${this.menuKey} @click=${this.closeMenu}>
+          ${this.menuItems()}
+        </div>
+        <input type="file" accept="image/*" hidden tabindex="-1" @change=${this.chosen} />
+      </section>
     `;
   }
 
-  protected override updated(changed: PropertyValues<this>): void {
-    const before = changed.get("pad") as Pad | undefined;
-    if (changed.has("pad") && this.pad.ink && this.pad.ink !== before?.ink) this.paint(this.pad.ink);
+  private tool(words: string, icon: unknown, act: () => void) {
+    return html`<button class="plain square" aria-label="${words}, ${this.slotName}" title=${words} ?disabled=${this.locked} @click=${act}>${icon}</button>`;
   }
 
-  /** Ink in the text's colour; painted anew when the colours change. */
-  paint(ink: Ink | null = this.pad.ink): void {
-    if (ink) paintInk(this.canvas, ink, getComputedStyle(this).color);
+  private invitation() {
+    const words = this.over
+      ? "Drop it here"
+      : html`<span class="long">Draw here, or drop a picture</span>`;
+    return html`<div class="invitation small">${icons.pencil}${words}</div>`;
   }
 
-  private give(file: File | null | undefined): void {
-    if (file) this.dispatchEvent(new CustomEvent<File>("give", { detail: file }));
+  /** One line, always there: nothing jumps when it is filled. */
+  private line(coverable: number | undefined) {
+    const { busy, note } = this.state.pads[this.slotName];
+    if (busy) return html`<span>Reading…</span>`;
+    if (coverable !== undefined && coverable < AS_GOOD_AS_ALL) {
+      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b><span class="more"> of it</span> can be shown</span>`;
+    }
+    if (note) return html`<span title=${note}>${note}</span>`;
+    return html`<span>${coverable === undefined ? (this.paper?.label ?? "") : "All can be shown"}</span>`;
+  }
+
+  private described(coverable: number | undefined): string {
+    const { paper, slotName } = this;
+    if (!paper) return `${titled(slotName)}: empty sheet`;
+    return `${titled(slotName)}: ${paper.label}${coverable === undefined ? "" : `, ${percent(coverable)} of it can be shown`}`;
+  }
+
+  private menuItems() {
+    const { studio, slotName, paper } = this;
+    const picture = pictureIn(paper);
+    const item = (words: string, icon: unknown, act: () => void, off = !paper) =>
+      html`<button role="menuitem" tabindex="-1" ?disabled=${off} @click=${act}>${icon}<span>${words}</span></button>`;
+    const invert = (): void => {
+      const dark = picture!.found.polarity === "dark";
+      void studio.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
+    };
+    return html`
+      ${item("Draw, type or take an icon", icons.pencil, () => this.edit("draw"), false)}
+      ${item("Choose a picture", icons.picture, () => this.input.click(), false)}
+      <hr role="separator" />
+      ${item("Mirror", icons.mirror, () => studio.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => studio.turn(slotName, 1))}
+      ${item("Turn right", icons.turnRight, () => studio.turn(slotName, 3))}
+      ${SLOTS.filter((other) => other !== slotName).map((other) =>
+        item(`Swap with ${other}`, icons.swap, () => studio.swap(slotName, other), !paper && !this.state.doc.papers[other]),
+      )}
+      ${picture
+        ? html`<hr role="separator" />
+            ${item("Swap ink and ground", icons.invert, invert)} ${item("Set how dark ink is", icons.settings, () => this.edit("picture"))}`
+        : nothing}
+      <hr role="separator" />
+      ${item("Clear", icons.clear, () => studio.clear(slotName))}
+    `;
+  }
+
+  private edit(tab: EditorTab): void {
+    if (this.locked) return;
+    this.dispatchEvent(new CustomEvent<EditRequest>("edit", { detail: { slot: this.slotName, tab }, bubbles: true, composed: true }));
+  }
+
+  /** A finger is too thick for a small sheet: it gets the large one. */
+  private tapped(event: MouseEvent): void {
+    if (event instanceof PointerEvent && event.pointerType === "touch") this.edit("draw");
+  }
+
+  private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
+    this.studio.setPaper(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
+  }
+
+  private give(file: File | undefined): void {
+    if (file && !this.locked) void this.studio.givePicture(this.slotName, file, file.name || "The picture");
   }
 
   private chosen(): void {
@@ -155,16 +397,51 @@ export class DrawingPad extends LitElement {
   }
 
   private dragOver(event: DragEvent): void {
-    if (this.locked) return;
+    if (this.locked || !event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
+    event.dataTransfer.dropEffect = "copy";
     this.over = true;
   }
 
+  /** One file is meant for this pad; what comes with more is for the page to share out. */
   private drop(event: DragEvent): void {
     this.over = false;
-    if (this.locked) return;
+    const files = event.dataTransfer?.files;
+    if (this.locked || files?.length !== 1 || !files[0]!.type.startsWith("image/")) return;
     event.preventDefault();
     event.stopPropagation();
-    this.give(event.dataTransfer?.files[0]);
+    this.give(files[0]);
+  }
+
+  private openMenu(): void {
+    const { menu, opener } = this;
+    menu.showPopover();
+    const around = opener.getBoundingClientRect();
+    const { width, height } = menu.getBoundingClientRect();
+    const left = getComputedStyle(this).direction === "rtl" ? around.left : around.right - width;
+    const below = around.bottom + 4;
+    const top = below + height <= innerHeight - 8 ? below : Math.max(8, innerHeight - 8 - height);
+    menu.style.setProperty("left", `${Math.min(innerWidth - width - 8, Math.max(8, left))}px`);
+    menu.style.setProperty("top", `${top}px`);
+    this.menuButtons()[0]?.focus();
+  }
+
+  private closeMenu(): void {
+    this.menu.hidePopover();
+  }
+
+  private menuButtons(): readonly HTMLButtonElement[] {
+    return [...this.menu.querySelectorAll<HTMLButtonElement>("button:not(:disabled)")];
+  }
+
+  private menuKey(event: KeyboardEvent): void {
+    const buttons = this.menuButtons();
+    const at = buttons.indexOf(this.shadowRoot!.activeElement as HTMLButtonElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
+    if (event.key === "Tab") this.closeMenu();
+    if (to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    buttons.at(to % buttons.length)?.focus();
   }
 }

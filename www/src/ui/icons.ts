@@ -29,6 +29,19 @@ import sun from "lucide-static/icons/sun.svg?raw";
 import triangle from "lucide-static/icons/triangle-alert.svg?raw";
 import undo from "lucide-static/icons/undo-2.svg?raw";
 import x from "lucide-static/icons/x.svg?raw";
+import contrast from "lucide-static/icons/contrast.svg?raw";
+import ellipsis from "lucide-static/icons/ellipsis.svg?raw";
+import eraser from "lucide-static/icons/eraser.svg?raw";
+import flip from "lucide-static/icons/flip-horizontal-2.svg?raw";
+import turnCcw from "lucide-static/icons/rotate-ccw-square.svg?raw";
+import turnCw from "lucide-static/icons/rotate-cw-square.svg?raw";
+import search from "lucide-static/icons/search.svg?raw";
+import shapes from "lucide-static/icons/shapes.svg?raw";
+import trash from "lucide-static/icons/trash-2.svg?raw";
+import letters from "lucide-static/icons/type.svg?raw";
+import wand from "lucide-static/icons/wand-sparkles.svg?raw";
+import spline from "lucide-static/icons/spline.svg?raw";
+import folder from "lucide-static/icons/folder-open.svg?raw";
 
 /** Only the shapes of a file go into the page: size and colour are those of `svg.icon` in shared.ts. */
 function icon(file: string): TemplateResult {
@@ -64,4 +77,17 @@ export const icons = {
   dark: icon(moon),
   system: icon(sunMoon),
   warning: icon(triangle),
+  invert: icon(contrast),
+  ellipsis: icon(ellipsis),
+  eraser: icon(eraser),
+  mirror: icon(flip),
+  turnLeft: icon(turnCcw),
+  turnRight: icon(turnCw),
+  search: icon(search),
+  shapes: icon(shapes),
+  clear: icon(trash),
+  type: icon(letters),
+  arrange: icon(wand),
+  bend: icon(spline),
+  open: icon(folder),
 };
