@@ -37,9 +37,9 @@ export function lookOf(name: LookName, dark: boolean, room: boolean): Look {
   const walls = dark ? DARK : LIGHT;
   switch (name) {
     case "copper":
-      return { ...walls, room, colouring: "metal", gloss: 0.8, ramp: plain(dark ? "#d98f52" : "#c67a3c") };
+      return { ...walls, room, colouring: "metal", gloss: 0.8, ramp: plain(dark ? "#d18a50" : "#bf7640") };
     case "steel":
-      return { ...walls, room, colouring: "metal", gloss: 0.9, ramp: plain(dark ? "#767a80" : "#3a3d42") };
+      return { ...walls, room, colouring: "metal", gloss: 0.9, ramp: plain(dark ? "#686c73" : "#3a3d42") };
     case "parameter":
     case "width":
       return { ...walls, room, colouring: name, gloss: 0.25, ramp: RAMP[dark ? "dark" : "light"] };

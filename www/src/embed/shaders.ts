@@ -70,10 +70,10 @@ float softBox(vec3 d, vec3 towards, float size, float edge) {
 
 // What a ray that leaves the wire meets: a quiet room with three soft boxes.
 vec3 room(vec3 d, float blur) {
-  vec3 base = mix(ground, sky, smoothstep(-0.65, 0.75, d.y)) * 0.8;
-  float boxes = 2.9 * softBox(d, vec3(0.25, 0.45, 1.0), 0.09, 0.05 + blur)
-              + 1.9 * softBox(d, vec3(1.0, 0.4, 0.1), 0.07, 0.05 + blur)
-              + 2.6 * softBox(d, vec3(-0.15, 1.0, 0.1), 0.09, 0.06 + blur);
+  vec3 base = mix(ground, sky, smoothstep(-0.65, 0.75, d.y)) * 0.72;
+  float boxes = 3.8 * softBox(d, vec3(0.25, 0.45, 1.0), 0.07, 0.04 + blur)
+              + 2.4 * softBox(d, vec3(1.0, 0.4, 0.1), 0.06, 0.04 + blur)
+              + 3.2 * softBox(d, vec3(-0.15, 1.0, 0.1), 0.08, 0.05 + blur);
   return base + vec3(1.0, 0.97, 0.92) * boxes;
 }
 
@@ -87,11 +87,11 @@ void main() {
   float grazing = pow(1.0 - facing, 5.0);
   // Metal tints what it mirrors; enamel mirrors a little white and shows its own colour below.
   vec3 mirror = mix(vec3(0.045), base, smoothstep(0.3, 0.7, gloss));
-  mirror += (1.0 - mirror) * grazing * 0.6;
-  vec3 mirrored = room(reflect(-v, n), 0.13) * mirror * mix(0.9, 0.66, gloss);
-  vec3 own = room(n, 0.9) * base * mix(0.62, 0.26, gloss);
+  mirror += (1.0 - mirror) * (0.05 + 0.55 * grazing);
+  vec3 mirrored = room(reflect(-v, n), mix(0.2, 0.07, gloss)) * mirror * mix(0.9, 0.72, gloss);
+  vec3 own = room(n, 0.9) * base * mix(0.62, 0.16, gloss);
   // Rounder to the eye: the rim turns away from the light. And nearer the walls less of it arrives.
-  float rim = mix(0.72, 1.0, smoothstep(0.0, 0.55, facing));
+  float rim = mix(0.6, 1.0, smoothstep(0.0, 0.6, facing));
   float open = 0.74 + 0.26 * smoothstep(-1.1, 0.6, min(world.y, min(world.x, world.z) + 0.5));
   vec3 light = (mirrored + own) * rim * open;
   light = light / (1.0 + 0.2 * light);
@@ -158,7 +158,7 @@ void main() {
   vec2 square = onWall * onWall;
   float edge = 1.0 - smoothstep(1.0, 1.75, sqrt(sqrt(dot(square, square))));
   vec3 seen = mix(plain, mix(shade, plain * shade, 0.35), clamp(dark, 0.0, 1.0));
-  // Less than a step of the screen's: the long gradients show no bands.
+  // Less than a step of the screen's: the long gradients show no bands, and the room's end no line.
   float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
-  colour = vec4(seen + grain / 255.0, 1.0) * edge * shown;
+  colour = vec4(seen, 1.0) * edge * shown + grain / 255.0;
 }`;

@@ -34,8 +34,8 @@ const SWAY_RAD = 0.26;
 const SWAY_S = 26;
 const SWAY_ONSET_S = 4;
 /** Half of the square a shadow usually fills, and how much of the picture's smaller side the room and a view fill. */
-const SHADOW_HALF = 0.86;
-const ROOM_SHARE = 0.9;
+const SHADOW_HALF = 0.8;
+const ROOM_SHARE = 0.94;
 const VIEW_SHARE = 0.84;
 const MAX_PICTURE_PX = 4096;
 
