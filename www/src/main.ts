@@ -1,2 +1,5 @@
 import "./styles.css";
+import { startTheme } from "./ui/theme";
 import "./ui/wire-app";
+
+startTheme();

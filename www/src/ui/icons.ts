@@ -7,6 +7,7 @@ import camera from "lucide-static/icons/camera.svg?raw";
 import check from "lucide-static/icons/check.svg?raw";
 import chevronDown from "lucide-static/icons/chevron-down.svg?raw";
 import question from "lucide-static/icons/circle-question-mark.svg?raw";
+import contrast from "lucide-static/icons/contrast.svg?raw";
 import dices from "lucide-static/icons/dices.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import braces from "lucide-static/icons/file-braces.svg?raw";
@@ -24,7 +25,6 @@ import forward from "lucide-static/icons/skip-forward.svg?raw";
 import sliders from "lucide-static/icons/sliders-horizontal.svg?raw";
 import square from "lucide-static/icons/square.svg?raw";
 import stepForward from "lucide-static/icons/step-forward.svg?raw";
-import sunMoon from "lucide-static/icons/sun-moon.svg?raw";
 import sun from "lucide-static/icons/sun.svg?raw";
 import triangle from "lucide-static/icons/triangle-alert.svg?raw";
 import undo from "lucide-static/icons/undo-2.svg?raw";
@@ -75,7 +75,7 @@ export const icons = {
   help: icon(question),
   light: icon(sun),
   dark: icon(moon),
-  system: icon(sunMoon),
+  system: icon(contrast),
   warning: icon(triangle),
   invert: icon(contrast),
   ellipsis: icon(ellipsis),

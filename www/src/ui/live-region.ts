@@ -1,5 +1,5 @@
 import { html, LitElement } from "lit";
-import { customElement, property, state } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import type { StudioState } from "../state/studio";
 import { news, Pacer } from "./announce";
 import { controls } from "./shared";
@@ -7,13 +7,13 @@ import { controls } from "./shared";
 /** Says politely what goes on. Seen by nobody. */
 @customElement("live-region")
 export class LiveRegion extends LitElement {
-  @property({ attribute: false, noAccessor: true })
+  /** Told of every state; only what changed is worth saying. */
   set state(now: StudioState) {
-    if (this.before) this.pacer.add(news(this.before, now));
-    this.before = now;
+    if (this.last) this.pacer.add(news(this.last, now));
+    this.last = now;
   }
   @state() private message = "";
-  private before: StudioState | null = null;
+  private last: StudioState | null = null;
   private readonly pacer = new Pacer((message) => (this.message = message));
 
   static override styles = controls;

@@ -34,6 +34,9 @@ export class RunPanel extends LitElement {
       .wide {
         grid-column: 1 / -1;
       }
+      .primary svg.icon {
+        fill: currentColor;
+      }
       .primary,
       .pause {
         min-height: 48px;
@@ -190,7 +193,7 @@ export class RunPanel extends LitElement {
     if (phase === "paused") return "Paused";
     if (phase !== "idle") return progress.words;
     if (said) return said;
-    if (doc.made?.source === "example") return "An example, made from these three drawings. Nothing leaves this device.";
+    if (doc.made?.source === "example") return "An example. Nothing leaves this device.";
     const given = Object.values(doc.papers).filter(Boolean).length;
     return given < 2 ? "A wire needs at least two drawings." : "Ready. Nothing leaves this device.";
   }

@@ -1,278 +1,115 @@
-import { css, html, LitElement, nothing } from "lit";
-import { customElement, query, queryAll, state } from "lit/decorators.js";
-import type { ExportFormat } from "../engine/protocol";
-import { codeFrom } from "../state/link";
+import { html, LitElement, nothing } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import type { LookName } from "../embed/looks";
 import { SLOTS, Studio, type Slot, type StudioState } from "../state/studio";
-import "../view/loss-curve";
-import "../view/match-panels";
-import type { MatchPanels } from "../view/match-panels";
-import type { DrawingPad } from "./drawing-pad";
+import { layout, NARROW } from "./app-layout";
 import "./drawing-pad";
-import { EXAMPLE, EXAMPLE_CODE } from "./example";
-import { icons } from "./icons";
+import "./drop-hint";
+import "./live-region";
+import type { LiveRegion } from "./live-region";
+import "./look-panel";
+import "./notice-list";
+import { pageTitle } from "./page-title";
+import { remember, remembered } from "./remember";
+import "./remedy-list";
+import "./result-panel";
+import type { ResultPanel } from "./result-panel";
+import "./run-choices";
 import "./run-panel";
+import "./save-panel";
+import type { SavePanel } from "./save-panel";
 import "./settings-panel";
 import { controls } from "./shared";
-import { match, verdict } from "./verdict";
-import type { WireStage } from "./wire-stage";
+import { actionOf, isTaken, type Action } from "./shortcuts";
+import { tabs, tabsStyle, type Tab } from "./tabs";
+import "./time-line";
+import "./top-bar";
 import "./wire-stage";
+import type { WireStage } from "./wire-stage";
 
-/** The whole page: pads, stage and panel, and the wiring between them and the studio. */
+interface Opened {
+  readonly slot: Slot;
+  readonly tab?: string;
+}
+interface LookChange {
+  readonly look: LookName;
+  readonly room: boolean;
+}
+
+/** The whole page: its parts, and the wiring between them and the studio. */
 @customElement("wire-app")
 export class WireApp extends LitElement {
   private readonly studio = new Studio();
+  private readonly narrow = matchMedia(NARROW);
   @state() private now: StudioState = this.studio.store.get();
+  @state() private tab: Tab = "pictures";
+  @state() private editing: Opened | null = null;
+  @state() private look: LookChange = { look: (remembered("look") as LookName | null) ?? "copper", room: remembered("room") !== "off" };
   @query("wire-stage") private stage!: WireStage;
-  @query("match-panels") private panels!: MatchPanels;
-  @queryAll("drawing-pad") private pads!: NodeListOf<DrawingPad>;
+  @query("result-panel") private result!: ResultPanel;
+  @query("save-panel") private saving!: SavePanel;
+  @query("live-region") private live!: LiveRegion;
+  /** Whether a run has ended since somebody last looked. */
+  private unseen = false;
   private readonly ending = new AbortController();
 
-  static override styles = [
-    controls,
-    css`
-      :host {
-        display: grid;
-        grid-template: 56px minmax(0, 1fr) / 264px minmax(0, 1fr) 304px;
-        grid-template-areas: "head head head" "pads stage side";
-        height: 100%;
-      }
-      header {
-        grid-area: head;
-        display: flex;
-        align-items: center;
-        gap: 16px;
-        padding: 0 24px;
-        border-bottom: 1px solid var(--line);
-      }
-      h1 {
-        margin: 0;
-        font-size: 20px;
-        font-weight: 600;
-        letter-spacing: -0.01em;
-      }
-      h1 b {
-        font-weight: 600;
-        color: var(--copper-text);
-      }
-      header p {
-        margin: 0;
-        color: var(--quiet);
-      }
-      .pads {
-        grid-area: pads;
-        padding: 8px 16px 16px 24px;
-        overflow: auto;
-      }
-      wire-stage {
-        grid-area: stage;
-      }
-      .side {
-        grid-area: side;
-        display: flex;
-        flex-direction: column;
-        gap: 24px;
-        padding: 20px 24px 24px 16px;
-        overflow: auto;
-      }
-      section > h2 {
-        margin-bottom: 8px;
-      }
-      .verdict {
-        min-height: 57px;
-        margin: 8px 0;
-        font-size: 13px;
-        line-height: 19px;
-        color: var(--quiet);
-      }
-      .save {
-        display: grid;
-        grid-template-columns: 1fr 1fr;
-        gap: 8px;
-      }
-      .save .link {
-        grid-column: 1 / -1;
-      }
-      .problem {
-        position: fixed;
-        z-index: 2;
-        left: 50%;
-        bottom: 24px;
-        display: flex;
-        align-items: center;
-        gap: 12px;
-        width: max-content;
-        max-width: min(560px, calc(100vw - 32px));
-        padding: 6px 6px 6px 16px;
-        border: 1px solid var(--error);
-        border-radius: 6px;
-        background: var(--raised);
-        color: var(--error);
-        box-shadow: var(--shadow);
-        transform: translateX(-50%);
-      }
-      .problem span {
-        padding: 6px 0;
-      }
-      .problem button {
-        flex: none;
-        width: 44px;
-        padding: 0;
-        border: 0;
-        background: none;
-      }
-      @media (max-width: 1099px) {
-        :host {
-          grid-template-columns: 200px minmax(0, 1fr) 256px;
-        }
-        .pads {
-          padding-left: 16px;
-        }
-        .side {
-          padding-right: 16px;
-        }
-        header {
-          padding: 0 16px;
-        }
-      }
-      /* A phone, or a tablet held upright: the stage stays above, everything else scrolls below it. */
-      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
-        :host {
-          display: block;
-          height: auto;
-          padding-bottom: 32px;
-        }
-        header {
-          height: 48px;
-          border: 0;
-        }
-        header p {
-          overflow: hidden;
-          font-size: 13px;
-          text-overflow: ellipsis;
-          white-space: nowrap;
-        }
-        wire-stage {
-          position: sticky;
-          z-index: 1;
-          top: 0;
-          height: 46svh;
-          min-height: 240px;
-          border-bottom: 1px solid var(--line);
-        }
-        .pads {
-          display: grid;
-          grid-template-columns: repeat(3, minmax(0, 1fr));
-          gap: 8px;
-          padding: 8px 16px 0;
-        }
-        .side {
-          padding: 16px;
-          overflow: visible;
-        }
-      }
-      @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
-        .pads {
-          gap: 16px;
-        }
-        .side {
-          display: grid;
-          grid-template: "run match" auto "keep match" auto "settings match" 1fr / 1fr 1fr;
-        }
-        run-panel {
-          grid-area: run;
-        }
-        .match {
-          grid-area: match;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, tabsStyle, layout];
 
   override render() {
-    const { pads, phase, losses, finished, targets, views, notes, rows, source, settings, problem } = this.now;
-    const idle = phase === "idle";
+    const { studio, now, look, editing } = this;
+    const idle = now.phase === "idle";
     return html`
-      <header>
-        <h1>Wire<b>4D</b></h1>
-        <p>Three drawings, one wire</p>
-      </header>
-      <wire-stage></wire-stage>
-      <div class="pads" role="group" aria-label="Drawings">
-        ${SLOTS.map(
-          (slot) => html`<drawing-pad
-            .slotName=${slot}
-            .pad=${pads[slot]}
-            ?locked=${!idle}
-            @give=${(event: CustomEvent<File>) => void this.studio.give(slot, event.detail, event.detail.name || `The ${slot} picture`)}
-            @clear=${() => this.studio.clear(slot)}
-          ></drawing-pad>`,
-        )}
+      <top-bar .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
+      <div class="left">
+        <section id="part-pictures" role=${this.panel()} aria-label="Pictures" ?hidden=${this.folded("pictures")} @open-editor=${this.openEditor}>
+          ${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
+          <remedy-list .studio=${studio} .state=${now}></remedy-list>
+        </section>
       </div>
-      <main class="side">
-        <run-panel
-          .state=${this.now}
-          @run=${() => void this.studio.run()}
-          @pause=${() => this.studio.pause()}
-          @stop=${() => this.studio.stop()}
-        ></run-panel>
-        <section class="match">
-          <h2>Match</h2>
-          <match-panels
-            .views=${views}
-            .targets=${targets}
-            .shares=${new Map(finished?.measures.views.map((view) => [view.name, match(view)]))}
-          ></match-panels>
-          <p class="verdict" aria-live="polite">${finished && source !== "example" ? verdict(finished) : notes.join(" ")}</p>
-          <loss-curve .losses=${losses}></loss-curve>
+      <wire-stage .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></wire-stage>
+      ${this.narrow.matches ? nothing : this.timeLine()}
+      ${editing
+        ? html`<pad-editor .studio=${studio} .state=${now} .slot=${editing.slot} .tab=${editing.tab ?? nothing} @close-editor=${this.closeEditor}></pad-editor>`
+        : nothing}
+      <notice-list .studio=${studio} .state=${now}></notice-list>
+      <main class="right">
+        <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })}></run-panel>
+        <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")}>
+          ${this.narrow.matches ? this.timeLine() : nothing}
+          <run-choices .studio=${studio} .state=${now}></run-choices>
+          <result-panel .state=${now}></result-panel>
         </section>
-        <section>
-          <h2>Keep it</h2>
-          <div class="save">
-            <button ?disabled=${!finished} @click=${() => void this.save("glb", "wire.glb")}>${icons.download} GLB</button>
-            <button ?disabled=${!finished} @click=${() => void this.save("wire.json", "wire.json")}>${icons.file} wire.json</button>
-            <button class="link" ?disabled=${!finished} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
-          </div>
+        <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
+          <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
         </section>
-        <section>
-          <h2>Settings</h2>
-          <settings-panel
-            .rows=${rows}
-            .values=${settings}
-            ?locked=${!idle}
-            @choose=${(event: CustomEvent<[string, string]>) => this.studio.set(...event.detail)}
-          ></settings-panel>
+        <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
+          <settings-panel .studio=${studio} .table=${now.table} .settings=${now.doc.settings} ?locked=${!idle}>
+            <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
+          </settings-panel>
         </section>
       </main>
-      ${problem
-        ? html`<div class="problem" role="alert">
-            ${icons.warning}<span>${problem}</span>
-            <button aria-label="Close this message" @click=${() => this.studio.warn("")}>${icons.close}</button>
-          </div>`
-        : nothing}
+      ${this.narrow.matches ? tabs(this.tab, (tab) => (this.tab = tab)) : nothing}
+      <drop-hint ?locked=${!idle} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
+      <live-region></live-region>
     `;
   }
 
   protected override firstUpdated(): void {
     const { signal } = this.ending;
-    this.studio.store.follow((state) => (this.now = state));
+    this.studio.store.follow((now) => this.follow(now));
     this.studio.followWire((wire) => {
       this.stage.setWire(wire);
-      this.panels.setWire(wire);
+      this.result.setWire(wire);
     });
-    addEventListener("hashchange", () => this.openLink(), { signal });
-    addEventListener("paste", (event) => this.fill([...(event.clipboardData?.files ?? [])]), { signal });
-    addEventListener("dragover", (event) => event.preventDefault(), { signal });
-    addEventListener(
-      "drop",
-      (event) => {
-        event.preventDefault();
-        this.fill([...(event.dataTransfer?.files ?? [])]);
-      },
-      { signal },
-    );
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour(), { signal });
-    if (!this.openLink()) void this.showExample();
-    for (const slot of SLOTS) void this.giveExample(slot);
+    addEventListener("hashchange", () => this.studio.openFragment(location.hash), { signal });
+    addEventListener("paste", (event) => this.paste(event), { signal });
+    addEventListener("keydown", (event) => this.press(event), { signal });
+    addEventListener("pagehide", () => this.studio.save(), { signal });
+    addEventListener("focus", () => this.seen(), { signal });
+    addEventListener("theme-change", () => this.result.recolour(), { signal });
+    document.addEventListener("visibilitychange", () => document.hidden || this.seen(), { signal });
+    this.narrow.addEventListener("change", () => this.requestUpdate(), { signal });
+    void this.studio.begin(location.hash);
   }
 
   override disconnectedCallback(): void {
@@ -280,55 +117,84 @@ export class WireApp extends LitElement {
     this.ending.abort();
   }
 
-  private openLink(): boolean {
-    const code = codeFrom(location.hash);
-    if (code !== null) void this.studio.open(code, "link");
-    return code !== null;
+  private timeLine() {
+    return html`<time-line .studio=${this.studio} .state=${this.now}></time-line>`;
   }
 
-  private async showExample(): Promise<void> {
-    const response = await fetch(EXAMPLE_CODE);
-    if (response.ok) await this.studio.open((await response.text()).trim(), "example");
+  private panel() {
+    return this.narrow.matches ? "tabpanel" : nothing;
   }
 
-  private async giveExample(slot: Slot): Promise<void> {
-    const response = await fetch(EXAMPLE[slot]);
-    if (response.ok && !this.now.pads[slot].picture) await this.studio.give(slot, await response.blob(), slot);
+  private folded(tab: Tab): boolean {
+    return this.narrow.matches && tab !== this.tab;
   }
 
-  /** Files dropped or pasted anywhere: into the empty pads first, then from the front on. */
-  private fill(files: readonly File[]): void {
-    if (this.now.phase !== "idle") return;
-    const order = [...SLOTS.filter((slot) => !this.now.pads[slot].picture), ...SLOTS.filter((slot) => this.now.pads[slot].picture)];
-    files.slice(0, SLOTS.length).forEach((file, i) => void this.studio.give(order[i]!, file, file.name));
-    if (files.length > SLOTS.length) this.studio.warn(`There are three pads; the first three of ${files.length} files were taken.`);
+  private follow(now: StudioState): void {
+    const before = this.now;
+    this.now = now;
+    this.live.state = now;
+    if (before.phase !== "idle" && now.phase === "idle") this.ended(before, now);
+    document.title = pageTitle(now.phase, now.progress.share, this.unseen);
   }
 
-  private async save(format: ExportFormat, name: string): Promise<void> {
-    const blob = await this.studio.export(format);
-    if (!blob) return;
-    const anchor = document.createElement("a");
-    anchor.href = URL.createObjectURL(blob);
-    anchor.download = name;
-    anchor.click();
-    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
-    this.studio.say(`Saved ${name}`);
+  private ended(before: StudioState, now: StudioState): void {
+    this.unseen = !document.hasFocus();
+    if (now.doc.made !== before.doc.made) this.stage.tour();
   }
 
-  private async copyLink(): Promise<void> {
-    const link = await this.studio.link(location.href);
-    if (!link) return;
-    history.replaceState(null, "", link);
-    try {
-      await navigator.clipboard.writeText(link);
-      this.studio.say("Link copied. It carries the whole wire.");
-    } catch {
-      this.studio.say("The link is in the address bar; copy it from there.");
-    }
+  private seen(): void {
+    this.unseen = false;
+    document.title = pageTitle(this.now.phase, this.now.progress.share, false);
   }
 
-  private recolour(): void {
-    this.panels.recolour();
-    for (const pad of this.pads) pad.paint();
+  private readonly openEditor = (event: Event): void => this.edit((event as CustomEvent<Opened>).detail);
+
+  /** The editor is loaded when it is first wanted. */
+  private edit(opened: Opened): void {
+    void import("./pad-editor");
+    this.editing = opened;
+  }
+
+  private readonly closeEditor = (): void => void (this.editing = null);
+
+  private readonly changeLook = (event: Event): void => {
+    this.look = (event as CustomEvent<LookChange>).detail;
+    remember("look", this.look.look);
+    remember("room", this.look.room ? "on" : "off");
+  };
+
+  private paste(event: ClipboardEvent): void {
+    if (!isTaken(event.composedPath(), "help")) this.take(event.clipboardData);
+  }
+
+  private take(data: DataTransfer | null): void {
+    const files = [...(data?.files ?? [])];
+    if (files.length) void this.studio.takeFiles(files);
+    else this.studio.takeText(data?.getData("text") ?? "");
+  }
+
+  private press(event: KeyboardEvent): void {
+    const action = actionOf(event, remembered("keys") !== "off");
+    if (!action || event.defaultPrevented || event.repeat || isTaken(event.composedPath(), action)) return;
+    event.preventDefault();
+    this.act(action);
+  }
+
+  private act(action: Action): void {
+    const { studio, stage } = this;
+    if (action === "run") this.now.phase === "idle" ? void studio.run() : studio.pause();
+    else if (action === "undo") studio.undo();
+    else if (action === "redo") studio.redo();
+    else if (action === "share") void this.saving.copyLink();
+    else if (action === "help") void this.help();
+    else stage.flyTo(action);
+  }
+
+  /** Help is loaded when it is first wanted. */
+  private async help(): Promise<void> {
+    const { HelpDialog } = await import("./help-dialog");
+    const dialog = document.querySelector<InstanceType<typeof HelpDialog>>("help-dialog") ?? document.body.appendChild(new HelpDialog());
+    await dialog.updateComplete;
+    dialog.show();
   }
 }

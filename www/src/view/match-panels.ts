@@ -8,13 +8,21 @@ import { paintInk, paintWire } from "./paint";
 const SIZE_PX = 192;
 const SAMPLES = 1600;
 
+/** How well a view matches, 0 to 1: the drawing as bent, and as given where that is something else. */
+export interface Match {
+  readonly name: string;
+  readonly share: number | null;
+  readonly asDrawn: number | null;
+}
+
+const UNKNOWN: readonly Match[] = ["front", "side", "top"].map((name) => ({ name, share: null, asDrawn: null }));
+
 /** One small picture a view: the drawing in copper, the wire over it. Copper that is left over is missing from the wire. */
 @customElement("match-panels")
 export class MatchPanels extends LitElement {
   @property({ attribute: false }) views: readonly View[] = [];
   @property({ attribute: false }) targets: readonly Target[] = [];
-  /** How well each view matches, by its name, 0 to 1. */
-  @property({ attribute: false }) shares: ReadonlyMap<string, number | null> = new Map();
+  @property({ attribute: false }) found: readonly Match[] = [];
   private samples: Samples | null = null;
   private readonly inks = new Map<string, HTMLCanvasElement>();
   private next = 0;
@@ -42,35 +50,49 @@ export class MatchPanels extends LitElement {
     }
     figcaption {
       display: flex;
+      flex-wrap: wrap;
       justify-content: space-between;
-      gap: 4px;
+      gap: 0 4px;
       margin-top: 4px;
       font-size: 13px;
-      white-space: nowrap;
+      line-height: 18px;
     }
     .name {
+      flex: 1;
+      min-width: 0;
       overflow: hidden;
       text-overflow: ellipsis;
+      white-space: nowrap;
       text-transform: capitalize;
       color: var(--quiet);
     }
     .match {
       font-weight: 600;
     }
+    /* Kept free, so that nothing moves when it is known. */
+    .drawn {
+      flex-basis: 100%;
+      min-height: 18px;
+      color: var(--quiet);
+    }
   `;
 
   override render() {
-    const shown: readonly { name: string }[] = this.views.length ? this.views : [{ name: "front" }, { name: "side" }, { name: "top" }];
-    return shown.map(({ name }) => {
-      const match = this.shares.get(name);
-      return html`<figure>
-        <canvas width=${SIZE_PX} height=${SIZE_PX} role="img" aria-label="The wire seen from the ${name} over its drawing"></canvas>
+    return this.shown().map(
+      ({ name, share, asDrawn }) => html`<figure>
+        <canvas width=${SIZE_PX} height=${SIZE_PX} role="img" aria-label=${inWords(name, share, asDrawn)}></canvas>
         <figcaption>
           <span class="name">${name}</span>
-          <span class="match" data-view=${name}>${match == null ? "–" : percent(match)}</span>
+          <span class="match" data-view=${name}>${share === null ? "–" : percent(share)}</span>
+          <span class="drawn">${asDrawn === null ? "" : `${percent(asDrawn)} as drawn`}</span>
         </figcaption>
-      </figure>`;
-    });
+      </figure>`,
+    );
+  }
+
+  private shown(): readonly Match[] {
+    if (this.views.length === 0) return UNKNOWN;
+    return this.views.map(({ name }) => this.found.find((match) => match.name === name) ?? { name, share: null, asDrawn: null });
   }
 
   /** Repaints one view a frame, so that three never weigh on the same one. */
@@ -129,4 +151,9 @@ export class MatchPanels extends LitElement {
     this.inks.clear();
     this.repaint();
   }
+}
+
+function inWords(name: string, share: number | null, asDrawn: number | null): string {
+  const known = share === null ? "" : `; ${percent(share)} match`;
+  return `The wire seen from the ${name}, over its drawing${known}${asDrawn === null ? "" : `, ${percent(asDrawn)} with the drawing as it was before bending`}`;
 }

@@ -1,0 +1,184 @@
+/** Where everything is: three columns on a desk, a stage above a sheet on a phone or an upright tablet. */
+
+import { css } from "lit";
+
+/** The same as in the styles here and in the panels: a stage above a sheet. */
+export const NARROW = "(max-width: 819px), (max-width: 1099px) and (orientation: portrait)";
+
+export const layout = css`
+  :host {
+    display: grid;
+    grid-template: 56px minmax(0, 1fr) auto / 280px minmax(0, 1fr) 312px;
+    grid-template-areas: "head head head" "left stage right" "left time right";
+    height: 100%;
+    min-height: 0;
+    overflow: hidden;
+  }
+  top-bar {
+    grid-area: head;
+    border-block-end: 1px solid var(--line);
+  }
+  wire-stage {
+    grid-area: stage;
+    min-height: 0;
+  }
+  time-line {
+    grid-area: time;
+    border-block-start: 1px solid var(--line);
+    background: var(--paper);
+  }
+  pad-editor {
+    grid-row: 2 / -1;
+    grid-column: 2;
+    z-index: 3;
+    min-height: 0;
+    background: var(--paper);
+  }
+  notice-list {
+    grid-area: stage;
+    z-index: 4;
+    align-self: start;
+    justify-self: center;
+    width: min(560px, 100% - 32px);
+    margin-block-start: 16px;
+  }
+  live-region {
+    position: fixed;
+  }
+  .left,
+  .right {
+    min-height: 0;
+    overflow: auto;
+    overscroll-behavior: contain;
+    scrollbar-width: thin;
+    scrollbar-color: var(--line-strong) transparent;
+  }
+  .left {
+    grid-area: left;
+    border-inline-end: 1px solid var(--line);
+  }
+  .right {
+    grid-area: right;
+    border-inline-start: 1px solid var(--line);
+  }
+  #part-pictures {
+    display: grid;
+    gap: 16px;
+    align-content: start;
+    padding: 16px 24px;
+  }
+  /* Stays while the rest of its column scrolls. */
+  run-panel {
+    position: sticky;
+    z-index: 1;
+    inset-block-start: 0;
+    padding: 16px 24px 8px;
+    background: var(--paper);
+  }
+  .right section {
+    padding: 8px 24px 24px;
+  }
+  #part-run {
+    display: grid;
+    gap: 24px;
+  }
+  @media (max-width: 1279px) {
+    :host {
+      grid-template-columns: 208px minmax(0, 1fr) 272px;
+    }
+    #part-pictures {
+      padding: 16px;
+    }
+    run-panel {
+      padding-inline: 16px;
+    }
+    .right section {
+      padding-inline: 16px;
+    }
+  }
+  @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
+    :host {
+      grid-template: 48px minmax(0, 46fr) auto minmax(0, 40fr) auto / minmax(0, 1fr);
+      grid-template-areas: "head" "stage" "run" "sheet" "tabs";
+    }
+    .left,
+    .right {
+      display: contents;
+    }
+    top-bar {
+      border: 0;
+    }
+    run-panel {
+      grid-area: run;
+      position: static;
+      padding: 0 16px;
+      border-block-end: 1px solid var(--line);
+    }
+    time-line {
+      margin-inline: -16px;
+      padding-block: 0;
+      border: 0;
+    }
+    :host .right section,
+    #part-pictures {
+      grid-area: sheet;
+      min-height: 0;
+      overflow: auto;
+      overscroll-behavior: contain;
+      align-content: start;
+      padding: 16px;
+    }
+    #part-pictures {
+      grid-template-columns: repeat(3, minmax(0, 1fr));
+      gap: 8px 16px;
+      padding-block: 8px;
+    }
+    #part-pictures remedy-list {
+      grid-column: 1 / -1;
+    }
+    pad-editor {
+      position: fixed;
+      z-index: 5;
+      inset: 0;
+    }
+  }
+  /* Too low to divide: two halves side by side where there is width, else one page that scrolls. */
+  @media (max-width: 959px) and (max-height: 479px) {
+    :host {
+      display: block;
+      height: auto;
+      overflow: visible;
+    }
+    wire-stage {
+      height: 75svh;
+      min-height: 160px;
+    }
+    .tabs {
+      position: sticky;
+      inset-block-end: 0;
+    }
+  }
+  @media (min-width: 560px) and (max-width: 959px) and (max-height: 479px) {
+    :host {
+      display: grid;
+      grid-template: 44px auto minmax(0, 1fr) auto / minmax(0, 1fr) minmax(0, 1fr);
+      grid-template-areas: "head head" "stage run" "stage sheet" "stage tabs";
+      height: 100%;
+      overflow: hidden;
+    }
+    wire-stage {
+      height: auto;
+    }
+    .tabs {
+      position: static;
+    }
+  }
+  @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
+    #part-settings,
+    #part-share {
+      width: 100%;
+      max-width: 600px;
+      margin-inline: auto;
+    }
+  }
+`;
