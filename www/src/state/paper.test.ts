@@ -24,9 +24,9 @@ function stampOf(ink: (x: number, y: number) => number): Uint8Array<ArrayBuffer>
 
 /** Nothing about it is symmetric: a picture, a stamp, strokes and a rubbed-out gap. */
 function everything(): Paper {
-  const below = picture(300, 170, (x, y) => (x * 7 + y * y) % 256);
-  const stamped = withStamp(below, { label: "corner", ink: stampOf((x, y) => (x < 60 && y < 110 ? 200 : 0)) });
-  const drawn = withStroke(stamped, pen(80.3, 400.7, 200.1, 470.9, 431.4, 455.2));
+  const stamp = { kind: "stamp", label: "corner", ink: stampOf((x, y) => (x < 60 && y < 110 ? 200 : 0)) } as const;
+  const below = { layers: [...picture(300, 170, (x, y) => (x * 7 + y * y) % 256).layers, stamp], label: "all" };
+  const drawn = withStroke(below, pen(80.3, 400.7, 200.1, 470.9, 431.4, 455.2));
   return withStroke(drawn, { ...pen(100, 380, 130, 500), erase: true, widthPx: 31 });
 }
 
@@ -147,12 +147,14 @@ describe("composing", () => {
 });
 
 describe("a sheet", () => {
-  it("has one stamp", () => {
-    const bike = stampOf((x) => (x < 100 ? 255 : 0));
-    const star = stampOf((x) => (x > 400 ? 255 : 0));
-    const paper = withStamp(withStroke(withStamp(null, { label: "bike", ink: bike }), pen(256, 256)), { label: "star", ink: star });
+  it("has one thing that fills it, over what was drawn", () => {
+    const bike = { label: "bike", ink: stampOf((x) => (x < 100 ? 255 : 0)) };
+    const star = { label: "star", ink: stampOf((x) => (x > 400 ? 255 : 0)) };
+    const rubbed = withStroke(withStroke(withStamp(null, bike), pen(256, 256)), { ...pen(450, 50), erase: true });
+    const paper = withStamp(rubbed, star);
     expect(paper.label).toBe("star");
     expect([at(paper, 50, 50), at(paper, 450, 50), at(paper, 256, 256)]).toEqual([0, 255, 255]);
+    expect(at(withStamp(picture(9, 9, () => 255), bike), 256, 256)).toBe(0);
   });
 
   it("knows when it is blank", () => {

@@ -63,12 +63,10 @@ export function withStroke(paper: Paper | null, stroke: Omit<StrokeLayer, "kind"
   return { layers: [...layers, { kind: "stroke", ...stroke, points }], label: label || "Drawing" };
 }
 
-/** A sheet has one stamp: another takes its place. */
+/** A sheet has one thing that fills it, a picture, a word or an icon: another takes its place, over what was drawn by hand. */
 export function withStamp(paper: Paper | null, stamp: Omit<StampLayer, "kind">): Paper {
-  const layer: StampLayer = { kind: "stamp", ...stamp };
-  const { layers } = paper ?? BLANK_PAPER;
-  const has = layers.some(({ kind }) => kind === "stamp");
-  return { layers: has ? layers.map((other) => (other.kind === "stamp" ? layer : other)) : [...layers, layer], label: stamp.label };
+  const strokes = (paper ?? BLANK_PAPER).layers.filter(({ kind }) => kind === "stroke");
+  return { layers: [...strokes, { kind: "stamp", ...stamp }], label: stamp.label };
 }
 
 export function mirrored(paper: Paper): Paper {

@@ -30,8 +30,8 @@ export const pictureIn = (paper: Paper | null): PictureLayer | undefined =>
   paper?.layers.find((layer): layer is PictureLayer => layer.kind === "picture");
 
 /**
- * One view's drawing: the ink as the optimiser sees it, to be drawn on at once with mouse or pen. Fires `edit` (an
- * EditRequest) when somebody wants the large sheet.
+ * One view's drawing: the ink as the optimiser sees it, to be drawn on at once with mouse or pen. Fires `open-editor`
+ * (an EditRequest) when somebody wants the large sheet.
  */
 @customElement("drawing-pad")
 export class DrawingPad extends LitElement {
@@ -212,14 +212,20 @@ export class DrawingPad extends LitElement {
       .menu .icon {
         color: var(--quiet);
       }
-      /* A third of a phone's width: the sheet is the button, all else is in the editor and the menu. */
       @container (max-width: 199px) {
+        .row {
+          grid-template-columns: minmax(0, 1fr);
+          gap: 4px;
+        }
+        .tools {
+          flex-direction: row;
+        }
+      }
+      /* A third of a phone's width: the sheet is the button, all else is in the editor and the menu. */
+      @container (max-width: 149px) {
         .head {
           min-height: 36px;
           gap: 0;
-        }
-        .row {
-          grid-template-columns: minmax(0, 1fr);
         }
         .tools,
         .head .moved,
@@ -375,7 +381,7 @@ export class DrawingPad extends LitElement {
 
   private edit(tab: EditorTab): void {
     if (this.locked) return;
-    this.dispatchEvent(new CustomEvent<EditRequest>("edit", { detail: { slot: this.slotName, tab }, bubbles: true, composed: true }));
+    this.dispatchEvent(new CustomEvent<EditRequest>("open-editor", { detail: { slot: this.slotName, tab }, bubbles: true, composed: true }));
   }
 
   /** A finger is too thick for a small sheet: it gets the large one. */
