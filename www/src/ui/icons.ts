@@ -7,13 +7,13 @@ import camera from "lucide-static/icons/camera.svg?raw";
 import check from "lucide-static/icons/check.svg?raw";
 import chevronDown from "lucide-static/icons/chevron-down.svg?raw";
 import question from "lucide-static/icons/circle-question-mark.svg?raw";
-import contrast from "lucide-static/icons/contrast.svg?raw";
 import dices from "lucide-static/icons/dices.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import braces from "lucide-static/icons/file-braces.svg?raw";
 import image from "lucide-static/icons/image.svg?raw";
 import images from "lucide-static/icons/images.svg?raw";
 import link from "lucide-static/icons/link.svg?raw";
+import monitor from "lucide-static/icons/monitor.svg?raw";
 import moon from "lucide-static/icons/moon.svg?raw";
 import pause from "lucide-static/icons/pause.svg?raw";
 import pencil from "lucide-static/icons/pencil.svg?raw";
@@ -75,7 +75,7 @@ export const icons = {
   help: icon(question),
   light: icon(sun),
   dark: icon(moon),
-  system: icon(contrast),
+  system: icon(monitor),
   warning: icon(triangle),
   invert: icon(contrast),
   ellipsis: icon(ellipsis),
