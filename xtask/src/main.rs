@@ -1,6 +1,7 @@
 //! `cargo xtask VERB`: builds, serves and tests Wire4D. One module a verb; what verbs share is in `shell`, `setup`,
 //! `wasm` and `page`.
 
+mod budget;
 mod build;
 mod figures;
 mod gallery;
@@ -25,6 +26,7 @@ struct Verb {
 
 const VERBS: &[Verb] = &[
     Verb { name: "serve", options: "[--dev]", help: serve::HELP, run: serve::run },
+    Verb { name: "budget", options: "[sizes|audits|run]", help: budget::HELP, run: budget::run },
     Verb { name: "build", options: "", help: build::HELP, run: build::run },
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },

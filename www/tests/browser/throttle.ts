@@ -11,17 +11,26 @@ export async function throttle(page: Page, times: number): Promise<void> {
   await session.send("Emulation.setCPUThrottlingRate", { rate: times });
 }
 
-/** A task of more than 50 ms, in the page's own time. */
+/** What a script did in a frame. */
+export interface ScriptShare {
+  readonly name: string;
+  /** Its file's name and the place in it, in characters; the name is empty if the browser does not tell. */
+  readonly file: string;
+  readonly at: number;
+  readonly ms: number;
+}
+
+/** A task of more than 50 ms, in the page's own time; what its scripts did not take went into style, layout and drawing. */
 export interface LongTask {
   readonly start: number;
   readonly ms: number;
-  /** The scripts that took most of the frame it was in, or what else the browser says of it. */
-  readonly where: string;
+  /** Longest first. */
+  readonly scripts: readonly ScriptShare[];
 }
 
 interface Kept {
-  tasks: { start: number; ms: number; name: string }[];
-  scripts: { start: number; ms: number; what: string }[];
+  tasks: { start: number; ms: number }[];
+  scripts: (ScriptShare & { start: number })[];
 }
 
 declare global {
@@ -37,10 +46,9 @@ export async function watchLongTasks(page: Page): Promise<() => Promise<LongTask
     // Entries arrive in a task of their own.
     await page.waitForTimeout(300);
     const { tasks, scripts } = await page.evaluate(() => window.keptLongTasks!);
-    return tasks.map(({ start, ms, name }) => {
+    return tasks.map(({ start, ms }) => {
       const within = scripts.filter((script) => script.start < start + ms && script.start + script.ms > start);
-      const most = within.sort((a, b) => b.ms - a.ms).slice(0, 2);
-      return { start, ms, where: most.map(({ what, ms }) => `${what} ${Math.round(ms)} ms`).join(" + ") || `no script (${name})` };
+      return { start, ms, scripts: within.sort((a, b) => b.ms - a.ms) };
     });
   };
 }
@@ -55,14 +63,14 @@ function keepLongTasks(): void {
   const kept: Kept = { tasks: [], scripts: [] };
   window.keptLongTasks = kept;
   new PerformanceObserver((list) => {
-    for (const { startTime: start, duration: ms, name } of list.getEntries()) kept.tasks.push({ start, ms, name });
+    for (const { startTime: start, duration: ms } of list.getEntries()) kept.tasks.push({ start, ms });
   }).observe({ type: "longtask", buffered: true });
   new PerformanceObserver((list) => {
     for (const frame of list.getEntries() as (PerformanceEntry & { scripts?: Script[] })[]) {
       for (const script of frame.scripts ?? []) {
+        const name = script.sourceFunctionName || script.invoker;
         const file = script.sourceURL.replace(/.*\//, "");
-        const what = `${script.sourceFunctionName || script.invoker} (${file}:${script.sourceCharPosition})`;
-        kept.scripts.push({ start: script.startTime, ms: script.duration, what });
+        kept.scripts.push({ start: script.startTime, ms: script.duration, name, file, at: script.sourceCharPosition });
       }
     }
   }).observe({ type: "long-animation-frame", buffered: true });

@@ -1,0 +1,69 @@
+/** How many bytes travel: gzipped as a plain host does it, pictures and fonts as they are. */
+
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { build } from "vite";
+import { DIST, launch, ROOT, serveDist, settled, visit, type Sent } from "../browser/browser";
+import type { Account, Row } from "./budget";
+
+export const FIRST_VIEW_KB = 200;
+export const WASM_KB = 700;
+export const STAGE_KB = 40;
+
+/** Every file but wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
+export async function firstView(): Promise<Sent[]> {
+  const site = await serveDist("/");
+  const browser = await launch();
+  try {
+    const { page } = await visit(browser, site.url);
+    await settled(page);
+    return site.sent.filter(({ file }) => !file.endsWith(".wasm")).sort((a, b) => b.bytes - a.bytes);
+  } finally {
+    await browser.close();
+    site.server.close();
+  }
+}
+
+export function total(sent: readonly Sent[]): number {
+  return sent.reduce((sum, { bytes }) => sum + bytes, 0);
+}
+
+export function wasmBytes(): number {
+  const modules = readdirSync(join(DIST, "assets")).filter((file) => file.endsWith(".wasm"));
+  if (!modules.length) throw new Error(`there is no wasm in ${DIST}; \`cargo xtask build\` makes it`);
+  return modules.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, "assets", file))).length, 0);
+}
+
+/** The stage bundled alone, as somebody else's page would embed it; a library build keeps its white space. */
+export async function stageBytes(): Promise<number> {
+  const embed = join(ROOT, "www/src/embed");
+  const entry = ["index.ts", "stage.ts"].map((file) => join(embed, file)).find((file) => existsSync(file));
+  if (!entry) throw new Error(`there is neither index.ts nor stage.ts in ${embed}`);
+  const outDir = join(ROOT, "target/stage-module");
+  await build({
+    configFile: false,
+    logLevel: "error",
+    publicDir: false,
+    build: { outDir, emptyOutDir: true, target: "es2022", minify: true, lib: { entry, formats: ["es"], fileName: "stage" } },
+  });
+  return readdirSync(outDir).reduce((sum, file) => sum + gzipSync(readFileSync(join(outDir, file))).length, 0);
+}
+
+export async function sizes(): Promise<Account> {
+  const sent = await firstView();
+  const rows = [
+    row("first view without wasm, gzipped", FIRST_VIEW_KB, total(sent)),
+    row("wasm, gzipped", WASM_KB, wasmBytes()),
+    row("stage module, gzipped", STAGE_KB, await stageBytes()),
+  ];
+  return { rows, notes: ["First view:", ...sent.map(({ file, bytes }) => `- ${kb(bytes)} ${file}`), ""] };
+}
+
+function row(budget: string, limit: number, bytes: number): Row {
+  return { budget, limit: `${limit} kB`, measured: kb(bytes), ok: bytes <= 1000 * limit };
+}
+
+function kb(bytes: number): string {
+  return `${(bytes / 1000).toFixed(1)} kB`;
+}
