@@ -115,6 +115,7 @@ export const layout = css`
       border-block-end: 1px solid var(--line);
     }
     time-line {
+      grid-area: auto;
       margin-inline: -16px;
       padding-block: 0;
       border: 0;
@@ -143,22 +144,42 @@ export const layout = css`
     }
   }
   /* Too low to divide: two halves side by side where there is width, else one page that scrolls. */
-  @media (max-width: 959px) and (max-height: 479px) {
+  @media (max-width: 959px) and (max-height: 559px) {
     :host {
-      display: block;
+      display: flex;
+      flex-direction: column;
       height: auto;
+      min-height: 100%;
       overflow: visible;
     }
     wire-stage {
-      height: 75svh;
+      order: 1;
+      flex: none;
+      height: 70svh;
       min-height: 160px;
     }
+    notice-list {
+      order: 1;
+      align-self: center;
+    }
+    run-panel {
+      order: 2;
+      padding-block-end: 8px;
+    }
+    :host .right section,
+    #part-pictures {
+      order: 3;
+      flex: 1 0 auto;
+      overflow: visible;
+    }
     .tabs {
+      order: 4;
       position: sticky;
+      z-index: 2;
       inset-block-end: 0;
     }
   }
-  @media (min-width: 560px) and (max-width: 959px) and (max-height: 479px) {
+  @media (min-width: 560px) and (max-width: 959px) and (max-height: 559px) {
     :host {
       display: grid;
       grid-template: 44px auto minmax(0, 1fr) auto / minmax(0, 1fr) minmax(0, 1fr);
@@ -168,6 +189,10 @@ export const layout = css`
     }
     wire-stage {
       height: auto;
+    }
+    :host .right section,
+    #part-pictures {
+      overflow: auto;
     }
     .tabs {
       position: static;

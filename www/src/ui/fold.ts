@@ -27,6 +27,7 @@ export const foldStyle = css`
   }
   .group {
     display: grid;
+    grid-template-columns: minmax(0, 1fr);
     gap: 16px;
     padding-block: 4px 16px;
   }

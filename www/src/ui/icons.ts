@@ -32,7 +32,7 @@ import x from "lucide-static/icons/x.svg?raw";
 import contrast from "lucide-static/icons/contrast.svg?raw";
 import ellipsis from "lucide-static/icons/ellipsis.svg?raw";
 import eraser from "lucide-static/icons/eraser.svg?raw";
-import flip from "lucide-static/icons/flip-horizontal-2.svg?raw";
+import flip from "lucide-static/icons/flip-vertical-2.svg?raw";
 import turnCcw from "lucide-static/icons/rotate-ccw-square.svg?raw";
 import turnCw from "lucide-static/icons/rotate-cw-square.svg?raw";
 import search from "lucide-static/icons/search.svg?raw";

@@ -34,7 +34,7 @@ export class ResultPanel extends LitElement {
       }
       dl {
         display: grid;
-        grid-template-columns: 1.25fr 1fr;
+        grid-template-columns: 1.6fr 1fr;
         gap: 0 16px;
         margin: 0 0 8px;
         font-size: 13px;

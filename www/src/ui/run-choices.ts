@@ -6,6 +6,12 @@ import { segmented, segmentedStyle } from "./segmented";
 import { WORDS } from "./setting-words";
 import { controls } from "./shared";
 
+const BENDS: Readonly<Record<string, string>> = {
+  none: "The drawings stay exactly as they are",
+  little: "Lines may move by a pixel or two",
+  free: "Lines may move as far as it takes",
+};
+
 /** The two choices that matter most: how much to spend, and how far the drawings may bend. */
 @customElement("run-choices")
 export class RunChoices extends LitElement {
@@ -49,11 +55,10 @@ export class RunChoices extends LitElement {
     });
   }
 
-  /** What the chosen bend would come to, as far as that is known before the fit. */
+  /** What the chosen bend means, and comes to as far as that is known before the fit. */
   private outlook(): string {
-    const bend = this.state.preview?.bends.find(({ bend }) => bend === this.studio.value("bend"));
-    if (!bend || bend.coverable === null) return "";
-    const moved = bend.movedPx !== null && bend.movedPx >= 0.1 ? `; lines move by ${bend.movedPx.toFixed(1)} px of 256` : "";
-    return `${percent(bend.coverable)} of the ink can be shown${moved}.`;
+    const chosen = this.studio.value("bend") || "little";
+    const coverable = this.state.preview?.bends.find(({ bend }) => bend === chosen)?.coverable ?? null;
+    return `${BENDS[chosen] ?? ""}${coverable === null ? "" : `; ${percent(coverable)} can be shown`}.`;
   }
 }

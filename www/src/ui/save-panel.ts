@@ -69,6 +69,9 @@ export class SavePanel extends LitElement {
         grid-template-columns: minmax(0, 1fr) auto;
         gap: 8px;
       }
+      select {
+        text-transform: capitalize;
+      }
       .link {
         min-height: 44px;
         font-weight: 600;

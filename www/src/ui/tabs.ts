@@ -54,6 +54,7 @@ export const tabsStyle = css`
     flex-direction: column;
     gap: 2px;
     min-height: 52px;
+    border: 0;
     padding: 4px 2px;
     border-radius: 0;
     font-size: 13px;

@@ -138,15 +138,17 @@ export class TimeLine extends LitElement {
       <span class="label">${looking === null ? "The newest wire, " : "Looking back at "}<b>${words.charAt(0).toLowerCase()}${words.slice(1)}</b></span>
       <div class="way">
         <ul class="marks" aria-label="What happened">
-          ${track.events.map((event) => this.mark(event, snapshots))}
+          ${track.events.map((event) => this.mark(event, track.iterations))}
         </ul>
         <input
           type="range"
           aria-label="The run, wire by wire"
           aria-valuetext=${words}
           min="0"
-          max=${snapshots.length - 1}
-          .value=${String(at)}
+          max=${track.iterations}
+          step="any"
+          .value=${String(iteration)}
+          @keydown=${this.press}
           @input=${this.scrub}
         />
       </div>
@@ -169,19 +171,34 @@ export class TimeLine extends LitElement {
     this.rest();
   }
 
-  private mark(event: RunEvent, snapshots: readonly Snapshot[]) {
+  private mark(event: RunEvent, iterations: number) {
     const words = `${eventWords(event)}, at step ${count.format(event.iteration)}`;
-    return html`<li class=${event.kind} data-at=${placeOf(event.iteration, snapshots)} title=${words}><span class="unseen">${words}</span></li>`;
+    return html`<li class=${event.kind} data-at=${event.iteration / Math.max(1, iterations)} title=${words}><span class="unseen">${words}</span></li>`;
   }
 
   private readonly scrub = (event: Event): void => {
     this.rest();
-    this.look(Number((event.target as HTMLInputElement).value));
+    const iteration = Number((event.target as HTMLInputElement).value);
+    const at = this.snapshots.findLastIndex((snapshot) => snapshot.iteration <= iteration);
+    this.look(Math.max(0, at));
+  };
+
+  /** Arrows go from wire to wire, however far apart they are. */
+  private readonly press = (event: KeyboardEvent): void => {
+    const forward = getComputedStyle(this).direction === "rtl" ? -1 : 1;
+    const by = { ArrowRight: forward, ArrowLeft: -forward, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    this.rest();
+    this.look(Math.max(0, (this.state.looking ?? this.snapshots.length - 1) + by));
   };
 
   private look(index: number): void {
-    const last = (this.state.track?.snapshots.length ?? 0) - 1;
-    this.studio.lookAt(index >= last ? null : index);
+    this.studio.lookAt(index >= this.snapshots.length - 1 ? null : index);
+  }
+
+  private get snapshots(): readonly Snapshot[] {
+    return this.state.track?.snapshots ?? [];
   }
 
   /** From the first wire to the newest; where motion is not wanted, straight to the first, to go on by hand. */
@@ -200,13 +217,4 @@ export class TimeLine extends LitElement {
     clearInterval(this.timer);
     this.playing = false;
   }
-}
-
-/** Where an iteration lies on the way, 0 to 1: the way is one unit a snapshot, not one an iteration. */
-function placeOf(iteration: number, snapshots: readonly Snapshot[]): number {
-  const after = snapshots.findIndex((snapshot) => snapshot.iteration >= iteration);
-  if (after < 0) return 1;
-  if (after === 0) return 0;
-  const [a, b] = [snapshots[after - 1]!.iteration, snapshots[after]!.iteration];
-  return (after - 1 + (iteration - a) / Math.max(1, b - a)) / (snapshots.length - 1);
 }

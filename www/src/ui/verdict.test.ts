@@ -26,14 +26,14 @@ function made(views: readonly ViewMeasures[], more: { components?: number; setti
 
 describe("a verdict", () => {
   it("praises what is good, and leaves it at that", () => {
-    expect(verdict(made([view("front", [0.9]), view("side", [0.95]), view("top", [0.9])]))).toBe("Every view matches well. It is one piece of wire.");
-    expect(verdict(made([view("front", [0.9]), view("side", [0.95])]))).toMatch(/^Both views match well\./);
+    expect(verdict(made([view("front", [0.9]), view("side", [0.95]), view("top", [0.9])]))).toBe("Every view matches well, in one piece of wire.");
+    expect(verdict(made([view("front", [0.9]), view("side", [0.95])]))).toMatch(/^Both views match well,/);
   });
 
   it("names missing ink by the drawing's own name, and what to try", () => {
     const views = [view("front", [0.9]), view("side", [0.92]), view("top", [0.7, 0.99, 0.94], { target_coverable: 0.9 })];
-    expect(verdict(made(views, { labels: ["bird.png", "bike.png", "star.png"] }))).toBe(
-      "Front and side match well; 6% of the star’s ink is missing. It is one piece of wire. Let the drawings bend freely, or mirror the top.",
+    expect(verdict(made(views, { labels: ["bird.png", "bike.png", "Star.png"] }))).toBe(
+      "Front and side match well; 6% of the star’s ink is missing. Let the drawings bend freely, or mirror the top.",
     );
     expect(verdict(made(views, { settings: { bend: "free" } }))).toContain("Try another drawing for the top");
     expect(verdict(made(views))).toContain("6% of the top drawing’s ink");
@@ -41,7 +41,7 @@ describe("a verdict", () => {
 
   it("names links that show", () => {
     expect(verdict(made([view("front", [0.7, 0.9, 1]), view("side", [0.9])]))).toBe(
-      "Side matches well; 10% of what the front drawing shows are links that join its parts. It is one piece of wire. Drawings whose parts touch need fewer links.",
+      "Side matches well; 10% of what the front drawing shows are links that join its parts. Drawings whose parts touch need fewer links.",
     );
   });
 
@@ -54,10 +54,10 @@ describe("a verdict", () => {
 
   it("counts the match with the bent drawings, and says that they were bent", () => {
     const bent = (mean_px: number) => ({ bent: { soft_iou: 0.9, precision_2px: 1, recall_2px: 1, mean_px } });
-    expect(verdict(made([view("front", [0.7, 0.8, 0.8], bent(1.42))]))).toBe(
-      "Every view matches well. It is one piece of wire. To agree, the drawings were bent by 1.4 of 256 pixels.",
+    expect(verdict(made([view("front", [0.7, 0.8, 0.8], bent(5.52))]))).toBe(
+      "Every view matches well, in one piece of wire. To agree, lines moved by 5.5 of 256 pixels.",
     );
-    expect(verdict(made([view("front", [0.7, 0.8, 0.8], bent(0.1))]))).not.toContain("bent");
+    expect(verdict(made([view("front", [0.7, 0.8, 0.8], bent(1.3))]))).not.toContain("moved");
   });
 
   it("has nothing to compare in a wire from a link", () => {

@@ -8,8 +8,8 @@ const GOOD = 0.82;
 const FAIR = 0.65;
 /** Ink missing, or wire beside the drawing, of less than this share nobody sees. */
 const SEEN = 0.03;
-/** Bending of less than this, in pixels of 256, nobody sees. */
-const SEEN_PX = 0.3;
+/** Bending of less than this, in pixels of 256, changes no drawing's look. */
+const SEEN_PX = 2;
 
 /** How well a view matches what the wire was asked for: the drawing as it was bent, or as given. */
 export function match(view: ViewMeasures): number | null {
@@ -25,9 +25,11 @@ export function verdict(made: Made): string {
   if (views.length === 0) return `${pieces(measures.components)}. Its drawings are not with it, so there is nothing to compare.`;
   const worst = views.reduce((a, b) => (b.value < a.value ? b : a));
   const flaw = flawOf(worst, subject(made, worst.name));
+  const good = praise(views.filter(({ value }) => value >= GOOD).map(({ name }) => name), views.length);
+  const apart = measures.components > 1;
   const sentences = [
-    praise(views.filter(({ value }) => value >= GOOD).map(({ name }) => name), views.length) + (flaw.words ? `; ${flaw.words}.` : "."),
-    measures.components > 1 ? `The wire is in ${measures.components} pieces.` : "It is one piece of wire.",
+    `${good}${flaw.words ? `; ${flaw.words}` : apart ? "" : ", in one piece of wire"}.`,
+    apart ? `The wire is in ${measures.components} pieces.` : "",
     bending(views),
     advice(made, flaw.kind, worst),
   ];
@@ -62,12 +64,17 @@ function subject(made: Made, viewName: string): string {
   const target = made.finished.targets.find(({ view }) => view.name === viewName);
   const label = target && made.track?.sheets[target.source]?.paper.label.replace(/\.\w{1,5}$/, "").trim();
   const ownName = label && label.length <= 24 && !/^(drawing|picture|image|photo|front|side|top|untitled|\d+)$/i.test(label);
-  return ownName ? `the ${label}` : `the ${viewName} drawing`;
+  return ownName ? `the ${uncapitalised(label)}` : `the ${viewName} drawing`;
+}
+
+/** "fish" out of "Fish", but "DNA" stays. */
+function uncapitalised(label: string): string {
+  return /^\p{Lu}\p{Ll}/u.test(label) ? label.charAt(0).toLowerCase() + label.slice(1) : label;
 }
 
 function bending(views: readonly ViewMeasures[]): string {
   const mostPx = Math.max(...views.map(({ bent }) => bent?.mean_px ?? 0));
-  return mostPx > SEEN_PX ? `To agree, the drawings were bent by ${mostPx.toFixed(1)} of 256 pixels.` : "";
+  return mostPx > SEEN_PX ? `To agree, lines moved by ${mostPx.toFixed(1)} of 256 pixels.` : "";
 }
 
 function advice(made: Made, flaw: Flaw, worst: ViewMeasures): string {
