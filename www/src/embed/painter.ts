@@ -4,12 +4,16 @@ import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
 import type { Look } from "./looks";
 import { orthographic, type Mat4, type Vec3 } from "./matrix";
 import { axesOf, DIRECTIONS, type Camera } from "./orbit";
-import { RINGS_A_ROW, SHADOW_FRAGMENT, SHADOW_SIZE, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
+import { RINGS_A_ROW, SHADOW_FRAGMENT, SHADOW_SIZE, SOFTEN_FRAGMENT, SOFTEN_VERTEX, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
 import { RING_FLOATS, type Rings } from "./tube";
 
-/** Sides of the tube as it is seen, and as it casts a shadow. */
-const SIDES = 12;
-const SHADOW_SIDES = 6;
+/** Sides of the tube as it is seen, by how round it has to look, and as it casts a shadow. */
+const FEWEST_SIDES = 6;
+const MOST_SIDES = 16;
+const HASTY_SIDES = 4;
+const SHADOW_SIDES = 4;
+/** How far a side may be from the circle, in pixels. */
+const FLATNESS_PX = 0.25;
 /** World units from the middle to the border of a shadow; the object fits the unit ball. */
 const SHADOW_EXTENT = 1.15;
 export const WALL_AWAY = 1.22;
@@ -26,44 +30,64 @@ const WALLS: readonly { axes: readonly [Vec3, Vec3, Vec3]; brightness: number }[
 export class Painter {
   private readonly tube: Program;
   private readonly shadowTube: Program;
+  private readonly soften: Program;
   private readonly wall: Program;
   private readonly rings: NumberTexture;
+  /** What throws one shadow after the other, and the three of them. */
+  private readonly caster: SoftTexture;
   private readonly shadows: readonly SoftTexture[];
   private ringCount = 0;
+  /** Of the rings, weighted by themselves: what most of what is seen has, world units. */
+  private radius = 0;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
     this.tube = new Program(gl, TUBE_VERTEX, TUBE_FRAGMENT);
     this.shadowTube = new Program(gl, TUBE_VERTEX, SHADOW_FRAGMENT);
+    this.soften = new Program(gl, SOFTEN_VERTEX, SOFTEN_FRAGMENT);
     this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
     this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
+    this.caster = new SoftTexture(gl, SHADOW_SIZE);
     this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
   }
 
   /** The wire to draw from now on. What follows the rings in `data` up to a whole row is sent and never drawn. */
   load({ count, data }: Rings): void {
     this.ringCount = count;
+    let [sum, squares] = [0, 0];
+    for (let at = 3; at < count * RING_FLOATS; at += RING_FLOATS) {
+      sum += data[at]!;
+      squares += data[at]! ** 2;
+    }
+    this.radius = sum > 0 ? squares / sum : 0;
     const rows = Math.ceil(count / RINGS_A_ROW);
     if (rows > 0) this.rings.write(data.subarray(0, rows * RINGS_A_ROW * RING_FLOATS), rows);
   }
 
   castShadows(): void {
-    const { gl, shadowTube } = this;
-    shadowTube.use();
-    gl.enable(gl.BLEND);
-    gl.blendEquation(gl.MAX);
+    const { gl, shadowTube, soften, caster } = this;
     WALLS.forEach(({ axes }, i) => {
-      this.shadows[i]!.draw(() => {
+      caster.draw(() => {
+        shadowTube.use();
         gl.uniform3fv(shadowTube.at("inward"), axes[2]);
         gl.uniform1f(shadowTube.at("away"), WALL_AWAY);
+        gl.enable(gl.BLEND);
+        gl.blendEquation(gl.MAX);
         this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], (2 * SHADOW_EXTENT) / SHADOW_SIZE, false, SHADOW_SIDES);
+        gl.blendEquation(gl.FUNC_ADD);
+        gl.disable(gl.BLEND);
+      });
+      this.shadows[i]!.draw(() => {
+        soften.use();
+        gl.activeTexture(gl.TEXTURE0);
+        gl.bindTexture(gl.TEXTURE_2D, caster.texture);
+        gl.uniform1i(soften.at("caster"), 0);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
       });
     });
-    gl.blendEquation(gl.FUNC_ADD);
-    gl.disable(gl.BLEND);
   }
 
-  /** `back` points from the target to the eye. */
-  paint(camera: Camera, back: Vec3, look: Look, width: number, height: number): void {
+  /** `back` points from the target to the eye; `hasty` is for machines that cannot keep up. */
+  paint(camera: Camera, back: Vec3, look: Look, width: number, height: number, hasty: boolean): void {
     const { gl, tube } = this;
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
@@ -75,8 +99,15 @@ export class Painter {
     gl.uniform3fv(tube.at("sky"), linear(look.sky));
     gl.uniform3fv(tube.at("ground"), linear(look.ground));
     gl.uniform1f(tube.at("gloss"), look.gloss);
-    this.drawTube(tube, camera.clipFromWorld, camera.eye, camera.worldPerPixel, true, SIDES);
+    this.drawTube(tube, camera.clipFromWorld, camera.eye, camera.worldPerPixel, true, hasty ? HASTY_SIDES : this.sidesFor(camera));
     gl.disable(gl.DEPTH_TEST);
+  }
+
+  /** A circle of radius r and a side of its n-gon are r (1 - cos(π/n)) ≈ r π² / 2n² apart. */
+  private sidesFor({ eye, worldPerPixel }: Camera): number {
+    const radiusPx = this.radius / (worldPerPixel * Math.hypot(...eye));
+    const sides = Math.PI * Math.sqrt(radiusPx / (2 * FLATNESS_PX));
+    return Math.max(FEWEST_SIDES, Math.min(MOST_SIDES, Math.ceil(sides)));
   }
 
   private paintWalls(clipFromWorld: Mat4, back: Vec3, look: Look): void {

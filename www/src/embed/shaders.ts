@@ -51,6 +51,38 @@ uniform float away;
 out vec4 colour;
 void main() { colour = vec4(1.0, clamp(1.0 - (dot(world, inward) + away) / (2.0 * away), 0.02, 1.0), 0.0, 1.0); }`;
 
+/** A triangle over the whole picture. */
+export const SOFTEN_VERTEX = `#version 300 es
+precision highp float;
+out vec2 uv;
+void main() {
+  uv = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  gl_Position = vec4(uv * 2.0 - 1.0, 0.0, 1.0);
+}`;
+
+/** The shadow with soft edges, softer the farther from the wall the wire hangs there. */
+export const SOFTEN_FRAGMENT = `#version 300 es
+precision highp float;
+in vec2 uv;
+uniform sampler2D caster;
+out vec4 colour;
+void main() {
+  float dark = 0.0;
+  // A much smaller copy says whether there is anything at all, and how near.
+  vec2 around = textureLod(caster, uv, 4.0).rg;
+  if (around.r > 0.0) {
+    float near = around.g / around.r;
+    float radius = mix(0.0105, 0.0022, smoothstep(0.15, 0.95, near));
+    float level = max(0.4, log2(radius * ${SHADOW_SIZE}.0) - 1.2);
+    for (int i = 0; i < 16; i++) {
+      float angle = float(i) * 2.39996323;
+      dark += textureLod(caster, uv + vec2(cos(angle), sin(angle)) * sqrt((float(i) + 0.5) / 16.0) * radius, level).r;
+    }
+    dark = smoothstep(0.0, 1.0, dark / 16.0) * mix(0.78, 0.9, near);
+  }
+  colour = vec4(dark, 0.0, 0.0, 1.0);
+}`;
+
 /** Metal or enamel under three soft lights: front, side, above. */
 export const TUBE_FRAGMENT = `#version 300 es
 precision highp float;
@@ -129,26 +161,10 @@ uniform float shown;
 uniform float brightness;
 out vec4 colour;
 
-vec2 caster(vec2 uv, float level) {
-  vec2 inside = step(abs(uv - 0.5), vec2(0.5));
-  return textureLod(shadow, uv, level).rg * inside.x * inside.y;
-}
-
 void main() {
   vec2 uv = onWall / (2.0 * shadowExtent) + 0.5;
-  // A soft edge, softer the farther from the wall the wire hangs there. A much smaller copy says whether it does at all.
-  float dark = 0.0;
-  if (caster(uv, 5.0).r > 0.0) {
-    vec2 around = caster(uv, 4.0);
-    float near = around.g / max(around.r, 0.004);
-    float radius = mix(0.0105, 0.0022, smoothstep(0.15, 0.95, near));
-    float level = log2(radius * ${SHADOW_SIZE}.0) - 1.2;
-    for (int i = 0; i < 16; i++) {
-      float angle = float(i) * 2.39996323;
-      dark += caster(uv + vec2(cos(angle), sin(angle)) * sqrt((float(i) + 0.5) / 16.0) * radius, max(0.4, level)).r;
-    }
-    dark = smoothstep(0.0, 1.0, dark / 16.0) * mix(0.78, 0.9, near);
-  }
+  vec2 inside = step(abs(uv - 0.5), vec2(0.5));
+  float dark = texture(shadow, uv).r * inside.x * inside.y;
   // Light pools where its lamp points; where two walls meet it is a little darker; far out the wall becomes the page.
   float pool = exp(-1.1 * dot(onWall, onWall));
   vec3 depth = max(world + away, 0.0);
@@ -157,7 +173,7 @@ void main() {
   vec3 plain = mix(wall, lit, pool) * brightness * (1.0 - vec3(0.050, 0.054, 0.060) * meeting);
   vec2 square = onWall * onWall;
   float edge = 1.0 - smoothstep(1.0, 1.75, sqrt(sqrt(dot(square, square))));
-  vec3 seen = mix(plain, mix(shade, plain * shade, 0.35), clamp(dark, 0.0, 1.0));
+  vec3 seen = mix(plain, mix(shade, plain * shade, 0.35), dark);
   // Less than a step of the screen's: the long gradients show no bands, and the room's end no line.
   float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
   colour = vec4(seen, 1.0) * edge * shown + grain / 255.0;

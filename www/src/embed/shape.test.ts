@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { basis, Sampler, samplesPerSpan, sampleWire, type WireShape } from "./shape";
+import { basis, Sampler, sampleWire, type WireShape } from "./shape";
 import { buildRings, RING_FLOATS } from "./tube";
 
 const knots = [0, 0, 0, 0, 0.7, 1.1, 2, 2, 2, 2];
@@ -49,13 +49,14 @@ it("makes rings with frames at right angles, finite even where the wire stands s
 });
 
 it("samples wires that follow each other as it samples each by itself", () => {
-  const sampler = new Sampler(60);
+  const sampler = new Sampler();
   const uniform = { closed: true, knots: Array.from({ length: 13 }, (_, i) => i), controlPoints };
   const moved = { ...uniform, controlPoints: controlPoints.map((x) => x + 0.1) };
   const uneven = { ...moved, knots: Array.from({ length: 13 }, (_, i) => i + (i % 6 === 4 ? 0.4 : 0)) };
   const shorter = { closed: false, knots: [0, 0, 0, 0, 1, 2, 2, 2, 2], controlPoints: controlPoints.slice(4) };
   const wires: readonly WireShape[] = [uniform, moved, uneven, { closed: false, knots, controlPoints }, shorter, uniform];
-  for (const wire of wires) expect(sampler.sample(wire)).toEqual(sampleWire(wire, samplesPerSpan(wire, 60)));
+  for (const wire of wires) expect(sampler.sample(wire, 5)).toEqual(sampleWire(wire, 5));
+  expect(sampler.sample(uniform, 2)).toEqual(sampleWire(uniform, 2));
 });
 
 it("gives each ring its sample's tone, and goes once round where the wire is closed", () => {

@@ -49,16 +49,13 @@ export function sampleWire(wire: WireShape, perSpan: number): Samples {
   return combine(layout, wire.controlPoints, new Float32Array(4 * layout.count), new Float32Array(3 * layout.count));
 }
 
-/** Samples wires that follow each other, about `total` points each. What it gives is good until it is asked again. */
+/** Samples wires that follow each other. What it gives is good until it is asked again. */
 export class Sampler {
   private layout: Layout | null = null;
   private points = new Float32Array(0);
   private tangents = new Float32Array(0);
 
-  constructor(private readonly total: number) {}
-
-  sample(wire: WireShape): Samples {
-    const perSpan = samplesPerSpan(wire, this.total);
+  sample(wire: WireShape, perSpan: number): Samples {
     if (!this.layout || !fits(this.layout, wire, perSpan)) {
       this.layout = layOut(wire, perSpan);
       this.points = new Float32Array(4 * this.layout.count);

@@ -8,7 +8,7 @@ import { tonesOf, type Look } from "./looks";
 import type { Vec3 } from "./matrix";
 import { axesOf, cameraOf, DIRECTIONS, framed, Orbit, type Pose, type ViewName } from "./orbit";
 import { Painter, WALL_AWAY } from "./painter";
-import { Sampler, type Samples, type WireShape } from "./shape";
+import { Sampler, samplesPerSpan, type Samples, type WireShape } from "./shape";
 import { buildRings } from "./tube";
 
 export type { ViewName } from "./orbit";
@@ -22,9 +22,13 @@ const STEP_MS = 220;
 const TOUR: readonly ViewName[] = ["front", "side", "top", "room"];
 const TOUR_FLIGHT_MS = 1500;
 const TOUR_STAY_MS = 1000;
-/** Frames that take longer than this while things move are drawn coarser, down to this share of the pixels a side. */
-const SLOW_FRAME_MS = 40;
+/** Frames that come later than this after they were asked for are drawn coarser, down to this share of the pixels a side. */
+const LATE_MS = 40;
 const COARSEST = 0.4;
+/** Later than this they are also asked for less often, so that the page has time to answer; later still it was asleep. */
+const VERY_LATE_MS = 80;
+const LONGEST_BREATH_MS = 300;
+const ASLEEP_MS = 3000;
 /** The idle camera moves so slowly that half of the frames do. */
 const SWAY_FRAME_MS = 30;
 /** How long everything stands still before the picture is drawn at its finest again. */
@@ -55,7 +59,7 @@ export class Stage {
   private readonly gl: WebGL2RenderingContext;
   private readonly observer: ResizeObserver;
   private readonly stopListening: () => void;
-  private readonly sampler = new Sampler(SAMPLES);
+  private readonly sampler = new Sampler();
   private painter: Painter;
   private wire: WireShape | null = null;
   private wireStale = true;
@@ -66,10 +70,12 @@ export class Stage {
   private readonly orbit: Orbit;
   private frame = 0;
   private lastFrameMs = 0;
+  private askedMs = 0;
+  /** How long to leave the machine alone before the next frame is asked for, and that wait. */
+  private breathMs = 0;
+  private breath: ReturnType<typeof setTimeout> | undefined;
   /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
   private fineness = 1;
-  /** Whether the next frame was wanted as soon as this one was drawn, so that the time between them says something. */
-  private following = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private swaying = false;
   private swayStartMs = 0;
@@ -108,7 +114,6 @@ export class Stage {
   }
 
   setWire(wire: WireShape | null): void {
-    this.following ||= performance.now() - this.lastFrameMs < REST_MS;
     this.wire = wire;
     this.wireStale = true;
     this.invalidate();
@@ -178,8 +183,7 @@ export class Stage {
 
   dispose(): void {
     cancelAnimationFrame(this.frame);
-    clearTimeout(this.rest);
-    clearTimeout(this.tourStay);
+    for (const timer of [this.rest, this.tourStay, this.breath]) clearTimeout(timer);
     this.observer.disconnect();
     this.stopListening();
     this.canvas.removeEventListener("webglcontextlost", this.lost);
@@ -267,20 +271,27 @@ export class Stage {
   }
 
   private invalidate(): void {
-    this.frame ||= requestAnimationFrame(this.draw);
+    if (this.frame || this.breath !== undefined) return;
+    if (this.breathMs > 0) this.breath = setTimeout(this.ask, this.breathMs);
+    else this.ask();
   }
+
+  private readonly ask = (): void => {
+    this.breath = undefined;
+    this.askedMs = performance.now();
+    this.frame = requestAnimationFrame(this.draw);
+  };
 
   private readonly draw = (nowMs: number): void => {
     this.frame = 0;
     if (this.gl.isContextLost()) return;
-    const sinceMs = nowMs - this.lastFrameMs;
+    this.adapt(performance.now() - this.askedMs);
     const moving = this.wireStale || this.orbit.flying;
-    if (this.swaying && !moving && sinceMs < SWAY_FRAME_MS) {
+    if (this.swaying && !moving && nowMs - this.lastFrameMs < SWAY_FRAME_MS) {
       this.invalidate();
       return;
     }
     this.lastFrameMs = nowMs;
-    this.adapt(sinceMs);
     const flew = this.orbit.flying;
     const flying = this.orbit.advance(nowMs);
     if (this.swaying && !flying) {
@@ -291,21 +302,23 @@ export class Stage {
     if (this.wireStale) this.loadWire();
     this.paintCanvas();
     if (flew && !flying && this.touring) this.stay();
-    this.following = flying || this.swaying;
-    if (this.following) this.invalidate();
+    if (flying || this.swaying) this.invalidate();
   };
 
-  /** Coarser when frames that follow each other come slowly; fine again after a rest. */
-  private adapt(sinceMs: number): void {
-    if (sinceMs > SLOW_FRAME_MS && this.following) {
+  /** Coarser when frames come late; fine again after a rest. */
+  private adapt(lateMs: number): void {
+    const late = lateMs > LATE_MS && lateMs < ASLEEP_MS;
+    if (late) {
       // Where even that does not help, at least nothing moves by itself.
       if (this.fineness === COARSEST) this.swaying = false;
       this.fineness = Math.max(COARSEST, this.fineness * 0.8);
     }
+    this.breathMs = late && lateMs > VERY_LATE_MS ? Math.min(LONGEST_BREATH_MS, lateMs) : 0;
     clearTimeout(this.rest);
     if (this.fineness < 1) {
       this.rest = setTimeout(() => {
         this.fineness = 1;
+        this.wireStale = true;
         this.invalidate();
       }, REST_MS);
     }
@@ -313,7 +326,7 @@ export class Stage {
 
   private loadWire(): void {
     this.wireStale = false;
-    const samples = this.wire && this.sampler.sample(this.wire);
+    const samples = this.wire && this.sampler.sample(this.wire, this.perSpan(this.wire));
     if (samples && samples.count > 0) {
       const rings = buildRings(samples, tonesOf(this.look.colouring, samples), this.ringData);
       this.ringData = rings.data;
@@ -323,6 +336,11 @@ export class Stage {
       this.painter.load({ count: 0, data: new Float32Array(0) });
     }
     if (this.look.room) this.painter.castShadows();
+  }
+
+  private perSpan(wire: WireShape): number {
+    const fine = samplesPerSpan(wire, SAMPLES);
+    return this.fineness < 1 ? Math.max(1, fine >> 1) : fine;
   }
 
   private paintCanvas(): void {
@@ -337,7 +355,7 @@ export class Stage {
       canvas.width = width;
       canvas.height = height;
     }
-    this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height);
+    this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.fineness < 1);
   }
 }
 

@@ -173,8 +173,15 @@ export class WireStage extends LitElement {
           bottom: 100%;
           left: 0;
           right: 0;
-          flex-wrap: wrap;
           justify-content: center;
+          padding: 0 8px;
+        }
+        .more .group {
+          min-width: 0;
+        }
+        .more select {
+          min-width: 0;
+          text-overflow: ellipsis;
         }
         .more:not(.open) {
           display: none;
