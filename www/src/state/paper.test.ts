@@ -147,13 +147,14 @@ describe("composing", () => {
 });
 
 describe("a sheet", () => {
-  it("has one thing that fills it, over what was drawn", () => {
+  it("has one thing that fills it, with what was drawn over it", () => {
     const bike = { label: "bike", ink: stampOf((x) => (x < 100 ? 255 : 0)) };
     const star = { label: "star", ink: stampOf((x) => (x > 400 ? 255 : 0)) };
-    const rubbed = withStroke(withStroke(withStamp(null, bike), pen(256, 256)), { ...pen(450, 50), erase: true });
-    const paper = withStamp(rubbed, star);
+    const drawn = withStroke(withStroke(withStamp(withStroke(null, pen(256, 256)), bike), pen(300, 50)), { ...pen(450, 50), erase: true });
+    expect([at(drawn, 50, 50), at(drawn, 256, 256), at(drawn, 300, 50)]).toEqual([255, 255, 255]);
+    const paper = withStamp(drawn, star);
     expect(paper.label).toBe("star");
-    expect([at(paper, 50, 50), at(paper, 450, 50), at(paper, 256, 256)]).toEqual([0, 255, 255]);
+    expect([at(paper, 50, 50), at(paper, 450, 50), at(paper, 256, 256), at(paper, 300, 50)]).toEqual([0, 255, 255, 0]);
     expect(at(withStamp(picture(9, 9, () => 255), bike), 256, 256)).toBe(0);
   });
 

@@ -63,10 +63,15 @@ export function withStroke(paper: Paper | null, stroke: Omit<StrokeLayer, "kind"
   return { layers: [...layers, { kind: "stroke", ...stroke, points }], label: label || "Drawing" };
 }
 
-/** A sheet has one thing that fills it, a picture, a word or an icon: another takes its place, over what was drawn by hand. */
+/**
+ * A sheet has one thing that fills it, a picture, a word or an icon. Another takes its place, and what was drawn over the
+ * one before goes with it; what was drawn first stays.
+ */
 export function withStamp(paper: Paper | null, stamp: Omit<StampLayer, "kind">): Paper {
-  const strokes = (paper ?? BLANK_PAPER).layers.filter(({ kind }) => kind === "stroke");
-  return { layers: [...strokes, { kind: "stamp", ...stamp }], label: stamp.label };
+  const { layers } = paper ?? BLANK_PAPER;
+  const filling = layers.findIndex(({ kind }) => kind !== "stroke");
+  const below = filling < 0 ? layers : layers.slice(0, filling);
+  return { layers: [...below, { kind: "stamp", ...stamp }], label: stamp.label };
 }
 
 export function mirrored(paper: Paper): Paper {

@@ -480,7 +480,8 @@ export class Studio {
       const finished = await this.engine.call("open", { code });
       await this.recalled;
       this.opening = false;
-      this.opened(finished, source, "Open the link");
+      // The code as it came: the same link again.
+      this.opened({ ...finished, code }, source, "Open the link");
     } catch (error) {
       // It is on the stage all the same.
       this.opening = false;

@@ -1,0 +1,125 @@
+/** Work is kept: over reloads, crashes and tabs. */
+
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { choose, contextWithProfile, idle, launch, pad, runButton, serveDist, shoot, visit, type Site } from "./browser";
+import { drawStroke } from "./gestures";
+import { inkOn, padsReady, previewed } from "./pads";
+
+let browser: Browser;
+let site: Site;
+
+beforeAll(async () => {
+  browser = await launch();
+  site = await serveDist("/");
+});
+afterAll(async () => {
+  await browser.close();
+  site.server.close();
+});
+
+const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
+const points = (page: Page) => page.locator("result-panel dd").nth(2).textContent();
+
+it("brings back drawings, settings and the wire after a reload", async () => {
+  const context = await contextWithProfile(browser);
+  const { page, faults } = await visit(context, site.url);
+  await padsReady(page);
+  await drawStroke(page, pad(page, 0).locator("ink-canvas"), [[0.1, 0.1], [0.9, 0.1]]);
+  await choose(page, "preset", "fast");
+  await runButton(page).click();
+  await phase(page, "running");
+  await idle(page);
+  await previewed(page);
+  const [ink, found] = [await inkOn(page, 0), await points(page)];
+  await page.waitForTimeout(700);
+  await page.reload();
+  await previewed(page);
+  expect(await inkOn(page, 0)).toBeCloseTo(ink, 3);
+  await expect.poll(() => points(page)).toBe(found);
+  expect(await page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
+  // The way of the run is there, too.
+  expect(Number(await page.getByLabel("The run, wire by wire").getAttribute("max"))).toBeGreaterThan(10);
+  await shoot(page, "after-reload");
+  expect(faults).toEqual([]);
+  await context.close();
+});
+
+it("goes on with a run that a reload cut off", async () => {
+  const context = await contextWithProfile(browser);
+  const { page, faults } = await visit(context, site.url);
+  await padsReady(page);
+  await runButton(page).click();
+  await phase(page, "running");
+  const range = page.getByLabel("The run, wire by wire");
+  await expect.poll(async () => ((await range.count()) ? Number(await range.getAttribute("max")) : 0), { timeout: 60_000 }).toBeGreaterThan(4);
+  await page.waitForTimeout(300);
+  await page.reload();
+  const notice = page.getByText(/A run was cut off at step/);
+  await notice.waitFor();
+  await shoot(page, "cut-off");
+  const cut = parseInt(/step ([\d,]+)/.exec((await notice.textContent())!)![1]!.replaceAll(",", ""));
+  expect(cut).toBeGreaterThan(0);
+  await page.getByRole("button", { name: "Go on" }).click();
+  await phase(page, "running");
+  const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel").textContent())!)?.[1] ?? "0").replaceAll(",", ""));
+  await expect.poll(step, { timeout: 30_000 }).toBeGreaterThanOrEqual(cut);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await idle(page);
+  expect(await page.getByText(/A run was cut off/).count()).toBe(0);
+  expect(faults).toEqual([]);
+  await context.close();
+});
+
+it("offers to go on when the engine crashes in the middle of a run", async () => {
+  const { page } = await visit(browser, site.url);
+  await padsReady(page);
+  await runButton(page).click();
+  await phase(page, "running");
+  const range = page.getByLabel("The run, wire by wire");
+  await expect.poll(async () => ((await range.count()) ? Number(await range.getAttribute("max")) : 0), { timeout: 60_000 }).toBeGreaterThan(2);
+  const session = await page.context().newCDPSession(page);
+  const { targetInfos } = await session.send("Target.getTargets");
+  expect(targetInfos.some(({ type }) => type === "page")).toBe(true);
+  await Promise.all(page.workers().map((worker) => worker.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError("unreachable"); })).catch(() => undefined)));
+  await page.getByRole("alert").filter({ hasText: /engine stopped/i }).waitFor();
+  await page.getByText(/A run was cut off at step/).waitFor();
+  await shoot(page, "crashed");
+  await page.getByRole("button", { name: "Go on" }).click();
+  await phase(page, "running");
+  await page.getByRole("button", { name: "Stop" }).click();
+  await idle(page);
+  await page.context().close();
+});
+
+it("lets one tab at a time keep the project, and says so in the other", async () => {
+  const context = await contextWithProfile(browser);
+  const first = await visit(context, site.url);
+  await padsReady(first.page);
+  await drawStroke(first.page, pad(first.page, 0).locator("ink-canvas"), [[0.1, 0.1], [0.9, 0.1]]);
+  await first.page.waitForTimeout(700);
+  const second = await visit(context, site.url);
+  const elsewhere = (page: Page) => page.getByText("This project is open in another tab");
+  await elsewhere(second.page).waitFor();
+  expect(await elsewhere(first.page).count()).toBe(0);
+  await shoot(second.page, "two-tabs");
+  await second.page.getByRole("button", { name: "Keep it here instead" }).click();
+  await elsewhere(first.page).waitFor();
+  await expect.poll(() => elsewhere(second.page).count()).toBe(0);
+  expect([...first.faults, ...second.faults]).toEqual([]);
+  await context.close();
+});
+
+it("works where the browser keeps nothing, and says that it does not", async () => {
+  const { page, faults } = await visit(browser, site.url, { storage: "blocked" });
+  await padsReady(page);
+  await page.getByText("This browser keeps nothing between visits").first().waitFor({ state: "attached" });
+  await choose(page, "preset", "fast");
+  await runButton(page).click();
+  await phase(page, "running");
+  await idle(page);
+  expect(await page.locator(".verdict").textContent()).toMatch(/wire/);
+  await shoot(page, "storage-blocked");
+  expect(faults).toEqual([]);
+  await page.context().close();
+});

@@ -1,0 +1,144 @@
+/** A run as people steer it: run, pause, step, look back, go on from there, stop, reset. */
+
+import { join } from "node:path";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
+import { choose, DRAWINGS, give, idle, launch, requestsElsewhere, runButton, serveDist, shoot, visit, type Site, type Visit } from "./browser";
+import { padsReady, previewed } from "./pads";
+
+let browser: Browser;
+let site: Site;
+let visited: Visit;
+let page: Page;
+
+beforeAll(async () => {
+  browser = await launch();
+  // Deep in a subpath: nothing on the page may count on lying at the root.
+  site = await serveDist("/some/where/wire4d/");
+});
+afterAll(async () => {
+  await browser.close();
+  site.server.close();
+});
+beforeEach(async () => {
+  visited = await visit(browser, site.url);
+  ({ page } = visited);
+  await padsReady(page);
+});
+afterEach(async () => {
+  expect(visited.faults).toEqual([]);
+  expect(requestsElsewhere(visited)).toEqual([]);
+  await page.context().close();
+});
+
+const button = (name: string | RegExp) => page.getByRole("button", { name });
+const phase = (name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
+const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel").textContent())!)?.[1] ?? "-1").replaceAll(",", ""));
+const range = () => page.getByLabel("The run, wire by wire");
+const snapshots = async () => Number(await range().getAttribute("max"));
+
+it("turns three drawings into one wire: the loss falls, every view matches, a sentence says how well", async () => {
+  for (const [i, side] of ["front", "side", "top"].entries()) await give(page, i, join(DRAWINGS, "t07-outlines", `${side}.png`));
+  await previewed(page);
+  await choose(page, "preset", "fast");
+  const seen = await page.locator("[data-loss]").evaluateHandle((element) => {
+    const seen: number[] = [];
+    new MutationObserver(() => seen.push(Number(element.getAttribute("data-loss")))).observe(element, { attributes: true });
+    return seen;
+  });
+  await runButton(page).click();
+  await phase("running");
+  await shoot(page, "running");
+  await expect.poll(() => page.title()).toMatch(/^\d+% · Wire4D/);
+  await idle(page);
+  const losses = (await seen.jsonValue()).filter((loss) => loss > 0);
+  expect(losses.length).toBeGreaterThan(2);
+  expect(Math.min(...losses)).toBeLessThan(0.7 * losses[0]!);
+  for (const view of ["front", "side", "top"]) {
+    expect(parseInt((await page.locator(`[data-view=${view}]`).textContent())!)).toBeGreaterThan(50);
+  }
+  expect(await page.locator(".verdict").textContent()).toMatch(/one piece of wire/i);
+  await shoot(page, "after-run");
+  // …and undo brings the example's wire back.
+  await button(/^Undo: Make the wire/).click();
+  expect(await page.locator(".verdict").textContent()).not.toMatch(/one piece of wire/i);
+});
+
+it("pauses, steps one by one, and goes on", async () => {
+  await runButton(page).click();
+  await phase("running");
+  await expect.poll(step, { timeout: 60_000 }).toBeGreaterThan(5);
+  await button("Pause").click();
+  await phase("paused");
+  await page.waitForTimeout(400);
+  const held = await step();
+  await page.waitForTimeout(600);
+  expect(await step()).toBe(held);
+  for (let i = 1; i <= 3; i++) {
+    await button("Step").click();
+    await expect.poll(step).toBe(held + i);
+  }
+  await page.locator("body").click({ position: { x: 640, y: 20 } });
+  await page.keyboard.press("Space");
+  await phase("running");
+  await expect.poll(step, { timeout: 30_000 }).toBeGreaterThan(held + 3);
+  await button("Stop").click();
+  await idle(page);
+  expect(await button(/^GLB/).isEnabled()).toBe(true);
+  expect(await page.locator(".verdict").textContent()).toMatch(/wire/);
+});
+
+it("looks back at the wires of a run, and goes on from one of them", async () => {
+  await choose(page, "preset", "fast");
+  await runButton(page).click();
+  await phase("running");
+  await expect.poll(() => range().count(), { timeout: 60_000 }).toBe(1);
+  await expect.poll(snapshots, { timeout: 60_000 }).toBeGreaterThan(10);
+  // Looking back pauses a run.
+  await range().fill("3");
+  await phase("paused");
+  await page.getByText(/Looking back at/).waitFor();
+  await shoot(page, "looking-back");
+  await button("Go on").click();
+  await idle(page);
+  const all = await snapshots();
+  expect(all).toBeGreaterThan(20);
+  const full = await page.locator("[data-view=front]").textContent();
+  const marks = await page.locator("time-line .marks li").allTextContents();
+  expect(marks.some((mark) => /step 220/i.test(mark))).toBe(true);
+  // From the middle of the finished run, with the same settings: bit for bit the same wire, so the same match.
+  await range().fill(String(Math.floor(all / 2)));
+  await button("Go on from here").click();
+  await phase("running");
+  expect(await snapshots()).toBeLessThan(all);
+  await idle(page);
+  expect(await snapshots()).toBe(all);
+  expect(await page.locator("[data-view=front]").textContent()).toBe(full);
+});
+
+it("goes back to what was before, by reset and while the first wire is still sought", async () => {
+  const files = button(/^GLB/);
+  await expect.poll(() => files.isEnabled(), { timeout: 60_000 }).toBe(true);
+  await runButton(page).click();
+  expect(await files.isEnabled()).toBe(false);
+  await button("Stop").click();
+  await idle(page);
+  expect(await files.isEnabled()).toBe(true);
+  await runButton(page).click();
+  await phase("running");
+  await button("Reset").click();
+  await idle(page);
+  expect(await files.isEnabled()).toBe(true);
+  expect(await button(/^Undo/).first().isEnabled()).toBe(false);
+});
+
+it("goes on in a hidden tab", async () => {
+  await choose(page, "preset", "fast");
+  await runButton(page).click();
+  await phase("running");
+  const other = await page.context().newPage();
+  await other.bringToFront();
+  await idle(page);
+  await other.close();
+  expect(await page.locator(".verdict").textContent()).toMatch(/wire/);
+});
