@@ -19,13 +19,14 @@ const DARK = 70;
 
 /**
  * The same text written in black and in white, on nothing. Where both show the same colour, the colour is the glyph's own.
+ * Without a white one, all is ink that is there.
  */
-export function glyphInk(black: Rgba, white: Rgba, side: number): Uint8Array<ArrayBuffer> {
+export function glyphInk(black: Rgba, white: Rgba | null, side: number): Uint8Array<ArrayBuffer> {
   const ink = new Uint8Array(side * side);
   const coloured = new Uint8Array(side * side);
   let any = false;
   for (let i = 0; i < ink.length; i++) {
-    const own = black[4 * i + 3]! > 32 && Math.abs(black[4 * i]! - white[4 * i]!) < 64;
+    const own = white !== null && black[4 * i + 3]! > 32 && Math.abs(black[4 * i]! - white[4 * i]!) < 64;
     if (own) coloured[i] = 1;
     else ink[i] = black[4 * i + 3]!;
     any ||= own;

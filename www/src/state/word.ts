@@ -59,8 +59,11 @@ export async function write(text: string, { font, bold }: Lettering): Promise<Wr
     for (const line of block.lines) context.fillText(line.text, place.x, place.y + place.scale * line.baseline);
     return context.getImageData(0, 0, PAPER_PX, PAPER_PX).data;
   };
-  const bounds = inkBounds(inColour("black"));
+  let black = inColour("black");
+  const bounds = inkBounds(black);
   if (!bounds) return { ink: new Uint8Array(PAPER_PX ** 2), unknown: graphemes(text.trim()) };
+  const unknown = unknownIn(text, fontOf(32));
+  if (!isColoured(black)) return { ink: glyphInk(black, null, PAPER_PX), unknown };
   // Emoji say that they are larger than what is to be seen of them.
   const { scale, x, y } = place;
   place = placed({
@@ -69,7 +72,16 @@ export async function write(text: string, { font, bold }: Lettering): Promise<Wr
     top: (bounds.top - y) / scale,
     bottom: (bounds.bottom - y) / scale,
   });
-  return { ink: glyphInk(inColour("black"), inColour("white"), PAPER_PX), unknown: unknownIn(text, fontOf(32)) };
+  black = inColour("black");
+  return { ink: glyphInk(black, inColour("white"), PAPER_PX), unknown };
+}
+
+/** Whether what was written in black brings colours of its own. */
+function isColoured(rgba: Uint8ClampedArray): boolean {
+  for (let i = 0; i < rgba.length; i += 4) {
+    if (rgba[i + 3]! > 32 && Math.max(rgba[i]!, rgba[i + 1]!, rgba[i + 2]!) > 32) return true;
+  }
+  return false;
 }
 
 interface Box {
@@ -107,14 +119,26 @@ const isRightToLeft = (text: string): boolean => RIGHT_TO_LEFT.test(/\p{L}/u.exe
 function unknownIn(text: string, font: string): readonly string[] {
   const context = blank(64);
   context.font = font;
-  const picture = (letter: string): string => {
+  const picture = (letter: string): number => {
     context.clearRect(0, 0, 64, 64);
     context.fillText(letter, 12, 44);
-    const { data } = context.getImageData(0, 0, 64, 64);
-    return data.every((value) => value === 0) ? "" : data.join();
+    return fingerprint(context.getImageData(0, 0, 64, 64).data);
   };
-  const boxes = new Set(["", ...UNASSIGNED.map(picture)]);
+  const boxes = new Set([EMPTY, ...UNASSIGNED.map(picture)]);
   return [...new Set(graphemes(text.replace(/\s/gu, "")))].filter((letter) => boxes.has(picture(letter)));
+}
+
+const EMPTY = 0;
+
+/** A number for a picture, by the places and strengths of its ink (FNV-1a's way). */
+function fingerprint(rgba: Uint8ClampedArray): number {
+  let hash = 0x811c9dc5;
+  let any = false;
+  for (let i = 3; i < rgba.length; i += 4) {
+    any ||= rgba[i]! > 0;
+    hash = Math.imul(hash ^ rgba[i]!, 0x01000193);
+  }
+  return any ? hash : EMPTY;
 }
 
 function blank(side: number): OffscreenCanvasRenderingContext2D {

@@ -1,6 +1,6 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Ink } from "../engine/protocol";
+import type { DrawingPreview, Ink } from "../engine/protocol";
 import { SLOTS, type Slot } from "../state/document";
 import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../state/paper";
 import type { Studio, StudioState } from "../state/studio";
@@ -23,6 +23,9 @@ export const AS_GOOD_AS_ALL = 0.985;
 
 export const titled = (slot: Slot): string => slot.charAt(0).toUpperCase() + slot.slice(1);
 
+/** Where arranging took a drawing, as a short aside: "from the top, mirrored". */
+export const movedBy = (slot: Slot, preview: DrawingPreview): string => placement(slot, preview).replace(/^Seen f/, "F").replace(/\.$/, "").toLowerCase();
+
 /** The paper's ink as an image. */
 export const inkOf = (paper: Paper): Ink => ({ width: PAPER_PX, height: PAPER_PX, ink: compose(paper) });
 
@@ -39,6 +42,8 @@ export class DrawingPad extends LitElement {
   @property({ attribute: false }) state!: StudioState;
   @property() slotName: Slot = "front";
   @state() private over = false;
+  /** The problem somebody has read and closed. */
+  @state() private readProblem = "";
   @query("input") private input!: HTMLInputElement;
   @query(".menu") private menu!: HTMLElement;
   @query(".opener") private opener!: HTMLElement;
@@ -124,6 +129,9 @@ export class DrawingPad extends LitElement {
         color: var(--quiet);
         pointer-events: none;
       }
+      .short {
+        display: none;
+      }
       .over .invitation {
         border-color: var(--copper);
         color: var(--ink);
@@ -135,11 +143,18 @@ export class DrawingPad extends LitElement {
         max-height: 100%;
         margin: 0;
         padding: 8px;
+        padding-inline-end: 40px;
         overflow: auto;
         border-block-start: 2px solid var(--error);
         background: var(--raised);
         color: var(--error);
         overflow-wrap: anywhere;
+      }
+      .problem button {
+        position: absolute;
+        inset-block-start: 0;
+        inset-inline-end: 0;
+        min-height: 40px;
       }
       .tools {
         display: flex;
@@ -234,12 +249,21 @@ export class DrawingPad extends LitElement {
           display: none;
         }
         .invitation {
+          gap: 4px;
           margin: 4px;
+        }
+        .invitation .short {
+          display: inline;
         }
         .problem {
           padding: 6px;
           font-size: 12px;
           line-height: 1.25;
+        }
+        .problem button {
+          position: static;
+          float: inline-end;
+          margin: -6px;
         }
       }
       @media (pointer: coarse) {
@@ -273,7 +297,7 @@ export class DrawingPad extends LitElement {
     const { state, slotName, paper, locked } = this;
     const { busy, problem } = state.pads[slotName];
     const preview = paper ? state.preview?.drawings[slotName] : undefined;
-    const moved = preview ? placement(slotName, preview).replace(/\.$/, "").toLowerCase() : "";
+    const moved = preview ? movedBy(slotName, preview) : "";
     const name = titled(slotName);
     return html`
       <section
@@ -308,7 +332,11 @@ export class DrawingPad extends LitElement {
               @stroke=${this.drawn}
             ></ink-canvas>
             ${paper || busy ? nothing : this.invitation()}
-            ${problem ? html`<p class="problem small" role="alert">${problem}</p>` : nothing}
+            ${problem && problem !== this.readProblem
+              ? html`<p class="problem small" role="alert">
+                  <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
+                </p>`
+              : nothing}
           </div>
           <div class="tools" role="group" aria-label="Tools for the ${slotName} drawing">
             ${this.tool("Draw", icons.pencil, () => this.edit("draw"))} ${this.tool("Type a word or an emoji", icons.type, () => this.edit("type"))}
@@ -331,7 +359,7 @@ export class DrawingPad extends LitElement {
   private invitation() {
     const words = this.over
       ? "Drop it here"
-      : html`<span class="long">Draw here, or drop a picture</span>`;
+      : html`<span class="long">Draw here, or drop a picture</span><span class="short">Draw</span>`;
     return html`<div class="invitation small">${icons.pencil}${words}</div>`;
   }
 
@@ -340,7 +368,7 @@ export class DrawingPad extends LitElement {
     const { busy, note } = this.state.pads[this.slotName];
     if (busy) return html`<span>Reading…</span>`;
     if (coverable !== undefined && coverable < AS_GOOD_AS_ALL) {
-      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b><span class="more"> of it</span> can be shown</span>`;
+      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">of it can be </span>shown</span>`;
     }
     if (note) return html`<span title=${note}>${note}</span>`;
     return html`<span>${coverable === undefined ? (this.paper?.label ?? "") : "All can be shown"}</span>`;
@@ -386,7 +414,8 @@ export class DrawingPad extends LitElement {
 
   /** A finger is too thick for a small sheet: it gets the large one. */
   private tapped(event: MouseEvent): void {
-    if (event instanceof PointerEvent && event.pointerType === "touch") this.edit("draw");
+    const onButton = event.composedPath().some((target) => target instanceof HTMLButtonElement);
+    if (!onButton && event instanceof PointerEvent && event.pointerType === "touch") this.edit("draw");
   }
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
@@ -434,6 +463,7 @@ export class DrawingPad extends LitElement {
 
   private closeMenu(): void {
     this.menu.hidePopover();
+    this.opener.focus();
   }
 
   private menuButtons(): readonly HTMLButtonElement[] {

@@ -12,8 +12,9 @@ export interface TakenIcon {
   readonly ink: Uint8Array<ArrayBuffer>;
 }
 
-/** Few enough to be drawn while somebody types. */
 const PAGE = 60;
+/** As many icons as are drawn at once: typing waits for no more. */
+const BATCH = 15;
 /** Of the icons' square of 24; the usual width of 2 is more than a wire has to give. */
 const WIDTH = { least: 0.5, most: 3, step: 0.25, first: 1 };
 /** What makes a good wire, and good sets of three. */
@@ -31,13 +32,16 @@ export class IconShelf extends LitElement {
   @state() private shelf: Shelf | null = null;
   @state() private failed = false;
   @state() private search = "";
-  @state() private pages = 1;
+  /** Icons that are drawn, and that are to be drawn bit by bit. */
+  @state() private shown = BATCH;
+  private wanted = PAGE;
   @state() private strokeWidth = WIDTH.first;
   /** The one icon that Tab reaches. */
   @state() private current = 0;
   @query(".grid") private grid!: HTMLElement | null;
   private found: readonly ShelfIcon[] = [];
   private last: ShelfIcon | null = null;
+  private growing: ReturnType<typeof setTimeout> | undefined;
 
   static override styles = [
     controls,
@@ -181,7 +185,8 @@ export class IconShelf extends LitElement {
   protected override willUpdate(changed: PropertyValues): void {
     if (this.shelf && (changed.has("shelf") || changed.has("search"))) {
       this.found = this.search.trim() ? find(this.shelf.icons, this.search) : startingWith(this.shelf.icons, FIRST);
-      this.pages = 1;
+      this.shown = BATCH;
+      this.wanted = PAGE;
       this.current = 0;
     }
   }
@@ -228,6 +233,8 @@ export class IconShelf extends LitElement {
   }
 
   protected override updated(): void {
+    clearTimeout(this.growing);
+    if (this.shown < Math.min(this.wanted, this.found.length)) this.growing = setTimeout(() => (this.shown += BATCH));
     this.grid?.style.setProperty("--stroke", String(this.strokeWidth));
   }
 
@@ -245,8 +252,8 @@ export class IconShelf extends LitElement {
         <div>${SUGGESTIONS.map((word) => html`<button @click=${() => (this.search = word)}>${word}</button>`)}</div>
       </div>`;
     }
-    const shown = this.found.slice(0, PAGE * this.pages);
-    const rest = this.found.length - shown.length;
+    const shown = this.found.slice(0, this.shown);
+    const rest = this.found.length - this.wanted;
     return html`
       <div class="grid" data-keys role="group" aria-label="${this.found.length} icons" @keydown=${this.gridKey}>
         ${shown.map(
@@ -262,8 +269,13 @@ export class IconShelf extends LitElement {
           </button>`,
         )}
       </div>
-      ${rest > 0 ? html`<button class="rest small" @click=${() => this.pages++}>Show ${Math.min(PAGE, rest)} more of ${rest}</button>` : nothing}
+      ${rest > 0 ? html`<button class="rest small" @click=${this.more}>Show ${Math.min(PAGE, rest)} more of ${rest}</button>` : nothing}
     `;
+  }
+
+  private more(): void {
+    this.wanted += PAGE;
+    this.shown += BATCH;
   }
 
   private take(icon: ShelfIcon): void {

@@ -210,10 +210,12 @@ export class InkCanvas extends LitElement {
     if (!pen || (count > 0 && Math.hypot(x - points[count - 2]!, y - points[count - 1]!) < LEAST_STEP_PX)) return;
     points.push(x, y);
     const context = this.live.getContext("2d")!;
-    const style = getComputedStyle(this);
-    context.strokeStyle = pen.erase ? style.getPropertyValue("--raised") : style.color;
-    context.lineWidth = pen.widthPx;
-    context.lineCap = "round";
+    if (count === 0) {
+      const style = getComputedStyle(this);
+      context.strokeStyle = pen.erase ? style.getPropertyValue("--raised") : style.color;
+      context.lineWidth = pen.widthPx;
+      context.lineCap = "round";
+    }
     context.beginPath();
     context.moveTo(points[Math.max(0, count - 2)]!, points[Math.max(1, count - 1)]!);
     context.lineTo(x, y);

@@ -6,7 +6,7 @@ import { withStamp, withStroke, type Paper, type StampLayer } from "../state/pap
 import type { Studio, StudioState } from "../state/studio";
 import { FONTS, MOST_LETTERS, write, type Font, type Lettering } from "../state/word";
 import { NARROW } from "./app-layout";
-import { FIRST_PEN, inkOf, pictureIn, titled, type EditorTab } from "./drawing-pad";
+import { FIRST_PEN, inkOf, movedBy, pictureIn, titled, type EditorTab } from "./drawing-pad";
 import "./icon-shelf";
 import type { TakenIcon } from "./icon-shelf";
 import { icons } from "./icons";
@@ -95,11 +95,18 @@ export class PadEditor extends LitElement {
         padding: 8px 24px;
       }
       header h2 {
-        flex: 1;
-        min-width: 0;
+        flex: none;
         font-size: 20px;
         line-height: 1.2;
         color: var(--ink);
+      }
+      .moved {
+        flex: 1;
+        min-width: 0;
+        margin-inline-start: 8px;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
       }
       header .primary {
         margin-inline-start: 8px;
@@ -107,7 +114,7 @@ export class PadEditor extends LitElement {
       }
       .body {
         display: grid;
-        grid-template: minmax(0, 1fr) / minmax(0, 1fr) 304px;
+        grid-template: minmax(0, 1fr) / minmax(0, 1fr) 272px;
         gap: 24px;
         min-height: 0;
         padding: 8px 24px 24px;
@@ -115,7 +122,7 @@ export class PadEditor extends LitElement {
       .room {
         container-type: size;
         display: grid;
-        place-items: center;
+        place-items: start center;
         min-height: 0;
       }
       .sheet {
@@ -276,6 +283,10 @@ export class PadEditor extends LitElement {
         .sheet {
           width: min(100cqw, 48dvh);
         }
+        /* Room for the keyboard, and for the shelf. */
+        :is(.type, .icons) .sheet {
+          width: min(100cqw, 30dvh);
+        }
         .side {
           gap: 12px;
         }
@@ -377,10 +388,11 @@ export class PadEditor extends LitElement {
       <div class="all ${this.over ? "over" : ""}">
         <header>
           <h2 id="title">${titled(slot)} drawing</h2>
+          <span class="moved small quiet">${preview ? movedBy(slot, preview) : ""}</span>
           ${this.step("Undo", icons.undo, state.undo, () => this.studio.undo())} ${this.step("Redo", icons.redo, state.redo, () => this.studio.redo())}
           <button class="primary" @click=${this.done}>Done</button>
         </header>
-        <div class="body">
+        <div class="body ${this.shownTab}">
           <div class="room">
             <div class="sheet">
               <ink-canvas
@@ -563,7 +575,7 @@ export class PadEditor extends LitElement {
               choose: (ink) => this.reread({ ...reading, ink: ink as Reading["ink"] }),
             })}
             <div class="field">
-              <span id="threshold-label">Least strength of ink, percent; 0 keeps all tones</span>
+              <span id="threshold-label">Leave out faint ink, up to %</span>
               <div class="amount">
                 <input type="range" aria-labelledby="threshold-label" min="0" max="100" .value=${String(percentage)} @input=${setThreshold} />
                 <input type="number" aria-labelledby="threshold-label" min="0" max="100" .value=${String(percentage)} @change=${setThreshold} />
