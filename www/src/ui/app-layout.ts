@@ -42,6 +42,9 @@ export const layout = css`
     width: min(560px, 100% - 32px);
     margin-block-start: 16px;
   }
+  main {
+    display: contents;
+  }
   live-region {
     position: fixed;
   }

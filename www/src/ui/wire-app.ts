@@ -1,8 +1,9 @@
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../embed/looks";
-import { SLOTS, Studio, type Slot, type StudioState } from "../state/studio";
+import { SLOTS, Studio, type StudioState } from "../state/studio";
 import { layout, NARROW } from "./app-layout";
+import type { EditRequest } from "./drawing-pad";
 import "./drawing-pad";
 import "./drop-hint";
 import "./live-region";
@@ -27,10 +28,6 @@ import "./top-bar";
 import "./wire-stage";
 import type { WireStage } from "./wire-stage";
 
-interface Opened {
-  readonly slot: Slot;
-  readonly tab?: string;
-}
 interface LookChange {
   readonly look: LookName;
   readonly room: boolean;
@@ -43,7 +40,7 @@ export class WireApp extends LitElement {
   private readonly narrow = matchMedia(NARROW);
   @state() private now: StudioState = this.studio.store.get();
   @state() private tab: Tab = "pictures";
-  @state() private editing: Opened | null = null;
+  @state() private editing: EditRequest | null = null;
   @state() private look: LookChange = { look: (remembered("look") as LookName | null) ?? "copper", room: remembered("room") !== "off" };
   @query("wire-stage") private stage!: WireStage;
   @query("result-panel") private result!: ResultPanel;
@@ -59,36 +56,38 @@ export class WireApp extends LitElement {
     const { studio, now, look, editing } = this;
     const idle = now.phase === "idle";
     return html`
-      <top-bar .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
-      <div class="left">
-        <section id="part-pictures" role=${this.panel()} aria-label="Pictures" ?hidden=${this.folded("pictures")} @open-editor=${this.openEditor}>
-          ${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
-          <remedy-list .studio=${studio} .state=${now}></remedy-list>
-        </section>
-      </div>
-      <wire-stage .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></wire-stage>
-      ${this.narrow.matches ? nothing : this.timeLine()}
-      ${editing
-        ? html`<pad-editor .studio=${studio} .state=${now} .slot=${editing.slot} .tab=${editing.tab ?? nothing} @close-editor=${this.closeEditor}></pad-editor>`
-        : nothing}
-      <notice-list .studio=${studio} .state=${now}></notice-list>
-      <main class="right">
-        <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })}></run-panel>
-        <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")}>
-          ${this.narrow.matches ? this.timeLine() : nothing}
-          <run-choices .studio=${studio} .state=${now}></run-choices>
-          <result-panel .state=${now}></result-panel>
-        </section>
-        <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
-          <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
-        </section>
-        <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
-          <settings-panel .studio=${studio} .table=${now.table} .settings=${now.doc.settings} ?locked=${!idle}>
-            <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
-          </settings-panel>
-        </section>
+      <top-bar role="banner" .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
+      <main>
+        <div class="left">
+          <section id="part-pictures" role=${this.panel()} aria-label="Pictures" ?hidden=${this.folded("pictures")} @open-editor=${this.openEditor}>
+            ${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
+            <remedy-list .studio=${studio} .state=${now}></remedy-list>
+          </section>
+        </div>
+        <wire-stage .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></wire-stage>
+        ${this.narrow.matches ? nothing : this.timeLine()}
+        ${editing
+          ? html`<pad-editor .studio=${studio} .state=${now} .slot=${editing.slot} .tab=${editing.tab} @close-editor=${this.closeEditor}></pad-editor>`
+          : nothing}
+        <notice-list .studio=${studio} .state=${now}></notice-list>
+        <div class="right">
+          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })}></run-panel>
+          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")}>
+            ${this.narrow.matches ? this.timeLine() : nothing}
+            <run-choices .studio=${studio} .state=${now}></run-choices>
+            <result-panel .state=${now}></result-panel>
+          </section>
+          <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
+            <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
+          </section>
+          <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
+            <settings-panel .studio=${studio} .table=${now.table} .settings=${now.doc.settings} ?locked=${!idle}>
+              <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
+            </settings-panel>
+          </section>
+        </div>
+        ${this.narrow.matches ? tabs(this.tab, (tab) => (this.tab = tab)) : nothing}
       </main>
-      ${this.narrow.matches ? tabs(this.tab, (tab) => (this.tab = tab)) : nothing}
       <drop-hint ?locked=${!idle} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region></live-region>
     `;
@@ -147,10 +146,10 @@ export class WireApp extends LitElement {
     document.title = pageTitle(this.now.phase, this.now.progress.share, false);
   }
 
-  private readonly openEditor = (event: Event): void => this.edit((event as CustomEvent<Opened>).detail);
+  private readonly openEditor = (event: Event): void => this.edit((event as CustomEvent<EditRequest>).detail);
 
   /** The editor is loaded when it is first wanted. */
-  private edit(opened: Opened): void {
+  private edit(opened: EditRequest): void {
     void import("./pad-editor");
     this.editing = opened;
   }
