@@ -1,11 +1,10 @@
 import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../state/studio";
+import { count } from "../view/count";
 import { engineProblem } from "./engine-check";
 import { icons } from "./icons";
 import { controls } from "./shared";
-
-const count = new Intl.NumberFormat("en");
 
 /** What a person should know and can do something about: calm, over the stage, so that nothing moves; and problems. */
 @customElement("notice-list")
@@ -73,7 +72,7 @@ export class NoticeList extends LitElement {
       ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
       ${unfinished && phase === "idle"
         ? this.notice(
-            `A run was cut off at step ${count.format(unfinished.iteration)} of ${count.format(unfinished.iterations)}.`,
+            `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`,
             html`<button class="primary" @click=${() => void this.studio.continueUnfinished()}>Go on</button>
               <button @click=${() => this.studio.dropUnfinished()}>Leave it</button>`,
           )

@@ -3,13 +3,13 @@ import { customElement, property, query } from "lit/decorators.js";
 import type { WireShape } from "../embed/shape";
 import type { Made } from "../state/document";
 import type { StudioState } from "../state/studio";
+import { count } from "../view/count";
 import "../view/loss-curve";
 import "../view/match-panels";
 import type { Match, MatchPanels } from "../view/match-panels";
 import { controls } from "./shared";
 import { match, verdict } from "./verdict";
 
-const count = new Intl.NumberFormat("en");
 const DASH = "–";
 
 /** The numbers that matter, the curve, and what they come to in a sentence. */
@@ -109,9 +109,9 @@ export class ResultPanel extends LitElement {
     const measures = made?.finished.measures;
     const points = measures?.control_points ?? (this.wire ? this.wire.controlPoints.length / 4 : 0);
     return [
-      ["Pieces", measures ? count.format(measures.components) : DASH],
+      ["Pieces", measures ? count(measures.components) : DASH],
       ["Length", measures ? measures.length.toFixed(1) : DASH],
-      ["Control points", points ? count.format(points) : DASH],
+      ["Control points", points ? count(points) : DASH],
       ["Time", made?.seconds ? `${made.seconds.toFixed(1)} s` : DASH],
     ];
   }

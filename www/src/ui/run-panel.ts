@@ -2,10 +2,9 @@ import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../state/studio";
 import { timeLeft } from "../state/words";
+import { count } from "../view/count";
 import { icons } from "./icons";
 import { controls } from "./shared";
-
-const count = new Intl.NumberFormat("en");
 
 /** Run and what goes with it, and what is going on in words. Fires `draw` when a person wants to draw. */
 @customElement("run-panel")
@@ -202,7 +201,7 @@ export class RunPanel extends LitElement {
     const { phase, progress } = this.state;
     if ((phase !== "running" && phase !== "paused") || progress.iterations === 0) return "";
     const rate = phase === "running" && progress.iterationsPerSecond > 0 ? `, ${Math.round(progress.iterationsPerSecond)} a second` : "";
-    return `Step ${count.format(progress.iteration)} of ${count.format(progress.iterations)}${rate}`;
+    return `Step ${count(progress.iteration)} of ${count(progress.iterations)}${rate}`;
   }
 
   private readonly draw = (): void => {

@@ -1,8 +1,7 @@
 /** What a person typed for a setting: whether it is possible, and if not, what would be. */
 
 import type { SettingRow } from "../engine/protocol";
-
-const count = new Intl.NumberFormat("en", { maximumFractionDigits: 4 });
+import { count } from "../view/count";
 
 /** Empty where the value is possible. */
 export function refusal(row: SettingRow, text: string): string {
@@ -12,7 +11,7 @@ export function refusal(row: SettingRow, text: string): string {
   const whole = row.kind === "integer";
   const possible = text.trim() !== "" && Number.isFinite(number) && number >= min && number <= max && (!whole || Number.isInteger(number));
   if (possible) return "";
-  return `Give a ${whole ? "whole number" : "number"} from ${count.format(min)} to ${count.format(max)}.`;
+  return `Give a ${whole ? "whole number" : "number"} from ${count(min)} to ${count(max)}.`;
 }
 
 /** Whether it is a yes or no: a switch, or a choice of on and off. */

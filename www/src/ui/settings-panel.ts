@@ -1,5 +1,5 @@
 import { css, html, LitElement, nothing } from "lit";
-import { customElement, property } from "lit/decorators.js";
+import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow, SettingsTable, SettingValues } from "../engine/protocol";
 import type { Studio } from "../state/studio";
 import { foldStyle } from "./fold";
@@ -19,6 +19,8 @@ export class SettingsPanel extends LitElement {
   /** What differs from the preset. */
   @property({ attribute: false }) settings: SettingValues = {};
   @property({ type: Boolean }) locked = false;
+  /** Groups that were opened: the controls of the others are not made yet. */
+  @state() private opened: ReadonlySet<string> = new Set();
 
   static override styles = [
     controls,
@@ -66,10 +68,10 @@ export class SettingsPanel extends LitElement {
     const rows = this.table!.rows.filter((row) => row.group === group && !ELSEWHERE.includes(row.name)).toSorted(byWords);
     if (rows.length === 0) return nothing;
     const count = rows.filter((row) => changed.includes(row.name)).length;
-    return html`<details>
+    return html`<details @toggle=${() => (this.opened = new Set([...this.opened, group]))}>
       <summary>${GROUPS[group]} ${count ? html`<span class="count">${count} changed</span>` : nothing} ${icons.more}</summary>
       <div class="group">
-        ${rows.map(
+        ${(this.opened.has(group) ? rows : []).map(
           (row) => html`<setting-control
             data-setting=${row.name}
             .row=${row}

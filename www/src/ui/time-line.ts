@@ -2,11 +2,11 @@ import { css, html, LitElement } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { RunEvent, Snapshot } from "../engine/protocol";
 import type { Studio, StudioState } from "../state/studio";
+import { count } from "../view/count";
 import { eventWords } from "../view/event-words";
 import { icons } from "./icons";
 import { controls } from "./shared";
 
-const count = new Intl.NumberFormat("en");
 const SHOWN_EACH_MS = 50;
 
 /** The run as time: back to any wire it went through, on from there, and the whole of it as a film. */
@@ -125,7 +125,7 @@ export class TimeLine extends LitElement {
     }
     const at = looking ?? snapshots.length - 1;
     const { iteration } = snapshots[at]!;
-    const words = `Step ${count.format(iteration)} of ${count.format(track.iterations)}`;
+    const words = `Step ${count(iteration)} of ${count(track.iterations)}`;
     return html`
       <button
         class="play square"
@@ -172,7 +172,7 @@ export class TimeLine extends LitElement {
   }
 
   private mark(event: RunEvent, iterations: number) {
-    const words = `${eventWords(event)}, at step ${count.format(event.iteration)}`;
+    const words = `${eventWords(event)}, at step ${count(event.iteration)}`;
     return html`<li class=${event.kind} data-at=${event.iteration / Math.max(1, iterations)} title=${words}><span class="unseen">${words}</span></li>`;
   }
 

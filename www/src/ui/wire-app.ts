@@ -48,6 +48,7 @@ export class WireApp extends LitElement {
   @query("live-region") private live!: LiveRegion;
   /** Whether a run has ended since somebody last looked. */
   private unseen = false;
+  private titled = "";
   private readonly ending = new AbortController();
 
   static override styles = [controls, tabsStyle, layout];
@@ -133,7 +134,7 @@ export class WireApp extends LitElement {
     this.now = now;
     this.live.state = now;
     if (before.phase !== "idle" && now.phase === "idle") this.ended(before, now);
-    document.title = pageTitle(now.phase, now.progress.share, this.unseen);
+    this.retitle();
   }
 
   private ended(before: StudioState, now: StudioState): void {
@@ -143,7 +144,13 @@ export class WireApp extends LitElement {
 
   private seen(): void {
     this.unseen = false;
-    document.title = pageTitle(this.now.phase, this.now.progress.share, false);
+    this.retitle();
+  }
+
+  private retitle(): void {
+    const title = pageTitle(this.now.phase, this.now.progress.share, this.unseen);
+    // Costs even where it changes nothing, and comes with every frame.
+    if (title !== this.titled) document.title = this.titled = title;
   }
 
   private readonly openEditor = (event: Event): void => this.edit((event as CustomEvent<EditRequest>).detail);
