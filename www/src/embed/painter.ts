@@ -151,6 +151,9 @@ export class Painter {
     gl.uniform1i(program.at("sides"), sides);
     // Seen from a random side, a prism is as wide on average as a cylinder of this share of its radius.
     gl.uniform1f(program.at("swell"), Math.PI / sides / Math.sin(Math.PI / sides));
+    // Nobody sees a tube from within.
+    gl.enable(gl.CULL_FACE);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, verticesAPiece(sides) * (this.ringCount - 1));
+    gl.disable(gl.CULL_FACE);
   }
 }

@@ -28,6 +28,8 @@ const COARSEST = 0.4;
 /** Later than this they are also asked for less often, so that the page has time to answer; later still it was asleep. */
 const VERY_LATE_MS = 80;
 const LONGEST_BREATH_MS = 300;
+/** On such machines one in so many wires casts shadows. */
+const HASTY_SHADOWS = 3;
 const ASLEEP_MS = 3000;
 /** The idle camera moves so slowly that half of the frames do. */
 const SWAY_FRAME_MS = 30;
@@ -63,6 +65,7 @@ export class Stage {
   private painter: Painter;
   private wire: WireShape | null = null;
   private wireStale = true;
+  private loads = 0;
   /** Corners of the box round the wire. */
   private box: readonly Vec3[] = cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]);
   private ringData: Float32Array<ArrayBuffer> | undefined;
@@ -335,7 +338,9 @@ export class Stage {
     } else {
       this.painter.load({ count: 0, data: new Float32Array(0) });
     }
-    if (this.look.room) this.painter.castShadows();
+    // Where time is short the shadows follow more slowly; the fine picture at rest has them right.
+    const hasty = this.fineness < 1 && this.loads++ % HASTY_SHADOWS > 0;
+    if (this.look.room && !hasty) this.painter.castShadows();
   }
 
   private perSpan(wire: WireShape): number {

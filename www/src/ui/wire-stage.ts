@@ -106,6 +106,7 @@ export class WireStage extends LitElement {
       }
       .group {
         display: flex;
+        flex: none;
         padding: 3px;
         border: 1px solid var(--line);
         border-radius: 9px;
@@ -176,7 +177,8 @@ export class WireStage extends LitElement {
           justify-content: center;
           padding: 0 8px;
         }
-        .more .group {
+        .more .group:last-child {
+          flex: 0 1 auto;
           min-width: 0;
         }
         .more select {
