@@ -38,7 +38,9 @@ export function iconInk({ shapes }: ShelfIcon, strokeWidth: number): Uint8Array<
     if (shape[1]["fill"] === "currentColor") context.fill(path);
   }
   const { data } = context.getImageData(0, 0, PAPER_PX, PAPER_PX);
-  return Uint8Array.from({ length: PAPER_PX ** 2 }, (_, i) => data[4 * i + 3]!);
+  const ink = new Uint8Array(PAPER_PX ** 2);
+  for (let i = 0; i < ink.length; i++) ink[i] = data[4 * i + 3]!;
+  return ink;
 }
 
 function pathOf([kind, attributes]: Shape): Path2D {

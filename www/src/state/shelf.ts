@@ -15,23 +15,24 @@ const NO_MATCH = Infinity;
 export function find<T extends Icon>(icons: readonly T[], query: string): readonly T[] {
   const words = query.toLowerCase().split(/[\s-]+/u).filter(Boolean);
   const whole = words.join("-");
+  const asked = words.map(forms);
   return icons
-    .map((icon) => ({ icon, rank: icon.name === whole ? -1 : words.reduce((sum, word) => sum + rankOf(icon, word), 0) }))
+    .map((icon) => ({ icon, rank: icon.name === whole ? -1 : asked.reduce((sum, forms) => sum + rankOf(icon, forms), 0) }))
     .filter(({ rank }) => rank < NO_MATCH)
     .sort((a, b) => a.rank - b.rank || a.icon.name.length - b.icon.name.length || (a.icon.name < b.icon.name ? -1 : 1))
     .map(({ icon }) => icon);
 }
 
-function rankOf(icon: Icon, word: string): number {
+function rankOf(icon: Icon, forms: readonly string[]): number {
   let best = NO_MATCH;
-  for (const [i, form] of forms(word).entries()) best = Math.min(best, rankOfForm(icon, form) + (i ? 0.5 : 0));
+  for (let i = 0; i < forms.length; i++) best = Math.min(best, rankOfForm(icon, forms[i]!) + (i ? 0.5 : 0));
   return best;
 }
 
 function rankOfForm({ name, tags }: Icon, word: string): number {
   if (name === word) return 0;
   if (name.startsWith(word)) return 1;
-  if (name.split("-").includes(word)) return 2;
+  if (`${name}-`.includes(`-${word}-`)) return 2;
   if (tags.includes(word)) return 3;
   if (tags.some((tag) => tag.startsWith(word))) return 4;
   return name.includes(word) || tags.some((tag) => tag.includes(word)) ? 5 : NO_MATCH;

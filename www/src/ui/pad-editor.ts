@@ -376,6 +376,7 @@ export class PadEditor extends LitElement {
     const preview = this.paper && !this.stamp ? state.preview?.drawings[slot] : undefined;
     const seen = this.asSeen ? preview : undefined;
     const drawing = this.shownTab === "draw" && !locked && !seen;
+    const nothingToErase = this.pen.erase && !this.paper;
     return html`<dialog
       aria-labelledby="title"
       @cancel=${this.escape}
@@ -398,13 +399,13 @@ export class PadEditor extends LitElement {
               <ink-canvas
                 .ink=${seen?.seen ?? (draft ? inkOf(draft) : null)}
                 .missing=${seen?.missing ?? null}
-                .pen=${drawing ? this.pen : null}
+                .pen=${drawing && !nothingToErase ? this.pen : null}
                 fingers
                 keys
                 name="${titled(slot)} sheet"
                 @stroke=${this.drawn}
               ></ink-canvas>
-              ${draft || !drawing ? nothing : html`<p class="hint">Draw here</p>`}
+              ${draft || !drawing ? nothing : html`<p class="hint">${nothingToErase ? "Nothing to erase yet" : "Draw here"}</p>`}
             </div>
           </div>
           <div class="side" ?inert=${locked}>
@@ -604,7 +605,6 @@ export class PadEditor extends LitElement {
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
     const { pen, paper } = this;
-    if (pen.erase && !paper) return this.requestUpdate();
     this.studio.setPaper(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? "Erase" : "Draw a stroke");
   }
 

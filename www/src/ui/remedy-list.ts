@@ -9,6 +9,7 @@ import { icons } from "./icons";
 import { controls } from "./shared";
 
 const BENDS: Readonly<Record<string, string>> = { none: "Do not bend", little: "Bend a little", free: "Bend freely" };
+const NAME = "What can be shown";
 /** More than these are no help but a list to read. */
 const MOST_REMEDIES = 3;
 
@@ -111,13 +112,13 @@ export class RemedyList extends LitElement {
     const { preview, previewBusy, previewProblem, doc, phase } = this.state;
     const drawings = Object.values(doc.papers).filter(Boolean).length;
     if (drawings < 2) return this.only(drawings === 0 ? "Two or three drawings make a wire." : "One more drawing, and a wire can be made.");
-    if (previewProblem) return html`<section><p class="small" role="alert">${previewProblem}</p></section>`;
+    if (previewProblem) return html`<section aria-label=${NAME}><p class="small" role="alert">${previewProblem}</p></section>`;
     if (!preview) return this.only(previewBusy ? "Finding where the drawings agree…" : "");
     const locked = phase !== "idle";
     const now = preview.coverable;
     const remedies = preview.remedies.slice(0, MOST_REMEDIES);
     const bends = preview.bends.filter(({ bend, coverable, likeness }) => bend === "none" || (coverable !== null && likeness !== null));
-    return html`<section class=${previewBusy ? "busy" : ""} aria-busy=${previewBusy}>
+    return html`<section class=${previewBusy ? "busy" : ""} aria-label=${NAME} aria-busy=${previewBusy}>
       ${now >= AS_GOOD_AS_ALL
         ? html`<p class="sum">${icons.check}All of the ink can be shown.</p>`
         : html`<p class="sum some"><span>Only <strong>${percent(now)}</strong> of the ink can be shown together.</span></p>`}
@@ -128,7 +129,7 @@ export class RemedyList extends LitElement {
   }
 
   private only(words: string): TemplateResult {
-    return html`<section><p class="sum small quiet">${words}</p></section>`;
+    return html`<section aria-label=${NAME}><p class="sum small quiet">${words}</p></section>`;
   }
 
   private remedy(remedy: PadRemedy, now: number, locked: boolean): TemplateResult {
