@@ -158,14 +158,10 @@ export class RunPanel extends LitElement {
   }
 
   private idle(): TemplateResult {
-    const { papers, made } = this.state.doc;
-    const example = made?.source === "example";
-    const blank = Object.values(papers).every((paper) => paper === null);
+    const example = showsExample(this.state);
     return html`
       <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example ? "Make it again" : "Run"}</button>
-      ${blank
-        ? html`<button class="wide" @click=${() => void this.studio.showExample()}>${icons.picture} Show the example</button>`
-        : html`<button class="wide" @click=${this.draw}>${icons.pencil} ${example ? "Draw your own" : "Start over"}</button>`}
+      <button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>
     `;
   }
 
@@ -187,14 +183,13 @@ export class RunPanel extends LitElement {
   }
 
   private words(): string {
-    const { phase, progress, said, doc } = this.state;
+    const { phase, progress, said } = this.state;
     if (phase === "finishing") return "Keeping the best wire so far";
     if (phase === "paused") return "Paused";
     if (phase !== "idle") return progress.words;
     if (said) return said;
-    if (doc.made?.source === "example") return "An example. Nothing leaves this device.";
-    const given = Object.values(doc.papers).filter(Boolean).length;
-    return given < 2 ? "A wire needs at least two drawings." : "Ready. Nothing leaves this device.";
+    if (showsExample(this.state)) return "An example. Nothing leaves this device.";
+    return given(this.state) < 2 ? "A wire needs at least two drawings." : "Ready. Nothing leaves this device.";
   }
 
   private steps(): string {
@@ -205,7 +200,17 @@ export class RunPanel extends LitElement {
   }
 
   private readonly draw = (): void => {
-    this.studio.startOver();
+    if (given(this.state) > 0) this.studio.startOver();
     this.dispatchEvent(new Event("draw"));
   };
+}
+
+function given({ doc }: StudioState): number {
+  return Object.values(doc.papers).filter(Boolean).length;
+}
+
+/** The example as it came: its wire, and nothing that a person did to the drawings. */
+function showsExample({ doc, undo }: StudioState): boolean {
+  const asStamped = Object.values(doc.papers).every((paper) => paper?.layers.length === 1 && paper.layers[0]!.kind === "stamp");
+  return doc.made?.source === "example" && undo === null && asStamped;
 }
