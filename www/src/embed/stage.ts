@@ -4,6 +4,7 @@
  */
 
 import { listen } from "./controls";
+import { Easel } from "./easel";
 import { tonesOf, type Look } from "./looks";
 import type { Vec3 } from "./matrix";
 import { axesOf, cameraOf, DIRECTIONS, framed, Orbit, type Pose, type ViewName } from "./orbit";
@@ -22,12 +23,12 @@ const STEP_MS = 220;
 const TOUR: readonly ViewName[] = ["front", "side", "top", "room"];
 const TOUR_FLIGHT_MS = 1500;
 const TOUR_STAY_MS = 1000;
-/** Frames that come later than this after they were asked for are drawn coarser, down to this share of the pixels a side. */
+/** Pictures that take longer than this to finish are drawn coarser, down to this share of the pixels a side. */
 const LATE_MS = 40;
 const COARSEST = 0.4;
-/** Later than this they are also asked for less often, so that the page has time to answer; later still it was asleep. */
+/** Longer than this, and they are also drawn less often, to leave the machine to others; longer still, and the page slept. */
 const VERY_LATE_MS = 80;
-const LONGEST_BREATH_MS = 300;
+const LONGEST_BREATH_MS = 150;
 /** On such machines one in so many wires casts shadows. */
 const HASTY_SHADOWS = 3;
 const ASLEEP_MS = 3000;
@@ -63,6 +64,9 @@ export class Stage {
   private readonly stopListening: () => void;
   private readonly sampler = new Sampler();
   private painter: Painter;
+  private easel: Easel;
+  /** Whether what is on the easel or shown is out of date. */
+  private stale = true;
   private wire: WireShape | null = null;
   private wireStale = true;
   private loads = 0;
@@ -73,9 +77,8 @@ export class Stage {
   private readonly orbit: Orbit;
   private frame = 0;
   private lastFrameMs = 0;
-  private askedMs = 0;
-  /** How long to leave the machine alone before the next frame is asked for, and that wait. */
-  private breathMs = 0;
+  private paintedMs = 0;
+  /** A while in which the machine is left to others. */
   private breath: ReturnType<typeof setTimeout> | undefined;
   /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
   private fineness = 1;
@@ -95,10 +98,11 @@ export class Stage {
     private look: Look,
     private readonly events: Partial<StageEvents> = {},
   ) {
-    const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, premultipliedAlpha: true });
+    const gl = canvas.getContext("webgl2", { antialias: false, alpha: true, premultipliedAlpha: true });
     if (!gl) throw new StageUnavailable("this browser cannot draw in 3D here (WebGL 2 is missing or switched off)");
     this.gl = gl;
     this.painter = new Painter(gl);
+    this.easel = new Easel(gl);
     this.orbit = new Orbit(this.poseOf("room", this.aspect));
     this.observer = new ResizeObserver(this.resized);
     this.observer.observe(canvas);
@@ -176,11 +180,16 @@ export class Stage {
     const context = flat.getContext("2d")!;
     context.fillStyle = this.look.wall;
     context.fillRect(0, 0, width, height);
-    if (this.wireStale) this.loadWire();
-    // In the same task as it is drawn, or the browser would have cleared it; and nobody sees it at the wrong size.
+    if (this.wireStale || this.fineness < 1) {
+      this.fineness = 1;
+      this.loadWire();
+    }
+    // Shown and copied in the same task, or the browser would have cleared it; and nobody sees it at the wrong size.
     this.paint(width, height, this.view && !this.orbit.flying ? this.atAzimuth(this.poseOf(this.view, width / height)) : this.orbit.pose);
+    this.easel.show();
     context.drawImage(this.canvas, 0, 0);
     this.paintCanvas();
+    this.easel.show();
     return flat.convertToBlob({ type: "image/png" });
   }
 
@@ -201,16 +210,16 @@ export class Stage {
 
   private readonly restored = (): void => {
     this.painter = new Painter(this.gl);
+    this.easel = new Easel(this.gl);
     this.wireStale = true;
     this.events.lost?.(false);
     this.invalidate();
   };
 
-  /** At once, in the frame that has the new size: stretched or empty pictures would be seen. */
+  /** What is shown is stretched until the next picture is there, but never empty. */
   private readonly resized = (): void => {
     if (this.view && !this.orbit.flying) this.orbit.flyTo(this.atAzimuth(this.poseOf(this.view, this.aspect)), 0, 0);
-    if (this.gl.isContextLost() || this.wireStale) this.invalidate();
-    else this.paintCanvas();
+    this.invalidate();
   };
 
   private get aspect(): number {
@@ -274,21 +283,33 @@ export class Stage {
   }
 
   private invalidate(): void {
-    if (this.frame || this.breath !== undefined) return;
-    if (this.breathMs > 0) this.breath = setTimeout(this.ask, this.breathMs);
-    else this.ask();
+    this.stale = true;
+    if (this.breath === undefined) this.ask();
   }
 
   private readonly ask = (): void => {
     this.breath = undefined;
-    this.askedMs = performance.now();
-    this.frame = requestAnimationFrame(this.draw);
+    this.frame ||= requestAnimationFrame(this.draw);
   };
 
   private readonly draw = (nowMs: number): void => {
     this.frame = 0;
     if (this.gl.isContextLost()) return;
-    this.adapt(performance.now() - this.askedMs);
+    if (this.easel.busy) {
+      if (!this.easel.ready) {
+        this.ask();
+        return;
+      }
+      this.easel.show();
+      // A picture that nothing follows may take its time.
+      const lateMs = performance.now() - this.paintedMs;
+      if (this.stale) this.adapt(lateMs);
+      if (this.stale && lateMs > VERY_LATE_MS) {
+        this.breath = setTimeout(this.ask, Math.min(LONGEST_BREATH_MS, lateMs));
+        return;
+      }
+    }
+    if (!this.stale) return;
     const moving = this.wireStale || this.orbit.flying;
     if (this.swaying && !moving && nowMs - this.lastFrameMs < SWAY_FRAME_MS) {
       this.invalidate();
@@ -305,27 +326,29 @@ export class Stage {
     if (this.wireStale) this.loadWire();
     this.paintCanvas();
     if (flew && !flying && this.touring) this.stay();
-    if (flying || this.swaying) this.invalidate();
+    this.stale = flying || this.swaying;
+    this.ask();
   };
 
-  /** Coarser when frames come late; fine again after a rest. */
+  /** Coarser when pictures are late; fine again after a rest. */
   private adapt(lateMs: number): void {
-    const late = lateMs > LATE_MS && lateMs < ASLEEP_MS;
-    if (late) {
-      // Where even that does not help, at least nothing moves by itself.
-      if (this.fineness === COARSEST) this.swaying = false;
-      this.fineness = Math.max(COARSEST, this.fineness * 0.8);
-    }
-    this.breathMs = late && lateMs > VERY_LATE_MS ? Math.min(LONGEST_BREATH_MS, lateMs) : 0;
+    if (lateMs < LATE_MS || lateMs > ASLEEP_MS) return;
+    // Where even that does not help, at least nothing moves by itself.
+    if (this.fineness === COARSEST) this.swaying = false;
+    this.fineness = Math.max(COARSEST, this.fineness * 0.8);
     clearTimeout(this.rest);
-    if (this.fineness < 1) {
-      this.rest = setTimeout(() => {
-        this.fineness = 1;
-        this.wireStale = true;
-        this.invalidate();
-      }, REST_MS);
-    }
+    this.rest = setTimeout(this.refine, REST_MS);
   }
+
+  private readonly refine = (): void => {
+    if (this.stale || this.easel.busy) {
+      this.rest = setTimeout(this.refine, REST_MS);
+      return;
+    }
+    this.fineness = 1;
+    this.wireStale = true;
+    this.invalidate();
+  };
 
   private loadWire(): void {
     this.wireStale = false;
@@ -355,12 +378,10 @@ export class Stage {
   }
 
   private paint(width: number, height: number, pose: Pose): void {
-    const { canvas } = this;
-    if (canvas.width !== width || canvas.height !== height) {
-      canvas.width = width;
-      canvas.height = height;
-    }
-    this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.fineness < 1);
+    this.paintedMs = performance.now();
+    this.easel.draw(width, height, () =>
+      this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.fineness < 1),
+    );
   }
 }
 
