@@ -3,39 +3,24 @@
 use super::arrange::Placement;
 use crate::view::Image;
 
-/// Samples a side of one pixel at most, where the drawing is small on its paper.
-const MOST_SAMPLES: f64 = 4.0;
-
 impl Placement {
     /// What a picture of this view looks like on the drawing as it was given, upright and not stretched, on paper of
     /// `width` x `height` pixels (of the drawing's aspect). Ground where the view shows nothing of the drawing.
     pub fn laid_back(&self, picture: &Image, width: usize, height: usize) -> Image {
-        let [left, top, across, down] = self.from;
-        let [onto_left, onto_top, onto_across, onto_down] = self.onto;
-        let (w, h) = (picture.width as f64, picture.height as f64);
-        let (shown_across, shown_down) = if self.orientation.lies_down() {
-            (onto_down * h, onto_across * w)
-        } else {
-            (onto_across * w, onto_down * h)
+        let upright = self.orientation.inverse().applied(picture);
+        let [left, top, across, down] = self.onto;
+        // Two opposite corners of where the drawing lies, as shares of the upright picture.
+        let (ax, ay) = self.orientation.source_of(left, top);
+        let (bx, by) = self.orientation.source_of(left + across, top + down);
+        let [from_left, from_top, from_across, from_down] = self.from;
+        // The whole paper in the picture's pixels, given that the part `from..from + share` of it lies on `a..b`.
+        let paper = |a: f64, b: f64, from: f64, share: f64, size: usize| {
+            let (low, scale) = (a.min(b), (b - a).abs() / share);
+            [low - from * scale, low + (1.0 - from) * scale].map(|place| place * size as f64)
         };
-        let density = (shown_across / (across * width as f64)).max(shown_down / (down * height as f64));
-        let samples = density.ceil().clamp(1.0, MOST_SAMPLES) as usize;
-        let mut paper = Image::new(width, height);
-        for (i, value) in paper.data.iter_mut().enumerate() {
-            let mut sum = 0.0;
-            for sample in 0..samples * samples {
-                let part = |k: usize| (k as f64 + 0.5) / samples as f64;
-                let x = ((i % width) as f64 + part(sample % samples)) / width as f64;
-                let y = ((i / width) as f64 + part(sample / samples)) / height as f64;
-                let (u, v) = self.orientation.place_of((x - left) / across, (y - top) / down);
-                let (x_px, y_px) = ((onto_left + u * onto_across) * w, (onto_top + v * onto_down) * h);
-                if x_px >= 0.0 && y_px >= 0.0 && x_px <= w && y_px <= h {
-                    sum += picture.sample(x_px as f32, y_px as f32);
-                }
-            }
-            *value = sum / (samples * samples) as f32;
-        }
-        paper
+        let [x0, x1] = paper(ax, bx, from_left, from_across, upright.width);
+        let [y0, y1] = paper(ay, by, from_top, from_down, upright.height);
+        upright.window([x0, y0, x1, y1], width, height)
     }
 }
 
@@ -102,27 +87,16 @@ mod tests {
 
     #[test]
     fn turning_the_drawing_first_adds_up() {
-        let mut image = Image::new(40, 40);
-        for (x, y, value) in [(12, 9, 1.0), (30, 9, 0.9), (12, 33, 0.8), (31, 30, 0.7)] {
-            image.data[y * 40 + x] = value;
-        }
-        let turned = |image: &Image, way: Orientation| {
-            let mut out = image.clone();
-            for i in 0..1600 {
-                let (x, y) = ((i % 40) as f64 + 0.5, (i / 40) as f64 + 0.5);
-                let (u, v) = way.place_of(x / 40.0, y / 40.0);
-                out.data[(v * 40.0) as usize * 40 + (u * 40.0) as usize] = image.data[i];
-            }
-            out
-        };
+        let image = Image { width: 3, height: 2, data: (0..6).map(|i| i as f32).collect() };
+        let turned = Orientation { mirrored: false, quarter_turns: 1 }.applied(&image);
+        assert_eq!(turned.data, [2.0, 5.0, 1.0, 4.0, 0.0, 3.0], "counter-clockwise");
         let all = (0..8).map(|k| Orientation { mirrored: k >= 4, quarter_turns: k % 4 });
         for first in all.clone() {
+            assert_eq!(first.inverse().applied(&first.applied(&image)), image);
+            assert_eq!(first.after(first.inverse()), Orientation::default());
             for then in all.clone() {
-                assert_eq!(
-                    turned(&turned(&image, first), then),
-                    turned(&image, then.after(first)),
-                    "{first:?} {then:?}"
-                );
+                let twice = then.applied(&first.applied(&image));
+                assert_eq!(twice, then.after(first).applied(&image), "{first:?} {then:?}");
             }
         }
     }

@@ -2,8 +2,9 @@
 //! moves ink to where some point of space lies on ink in every view. Straight strokes are kept straight.
 
 use super::field::Lattice;
+use super::shared::are_canonical;
 use crate::error::Result;
-use crate::view::{Image, Projection, Target, View};
+use crate::view::{Image, Target};
 
 /// How freely drawings may bend. The weights were found by trial: drawings stay readable and agree.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,26 +65,6 @@ pub fn bend(targets: &[Target], options: &BendOptions, progress: &mut dyn FnMut(
         }
     }
     Ok(search.finished(targets))
-}
-
-/// Whether the targets are the canonical square views front, side and perhaps top, all of one size.
-fn are_canonical(targets: &[Target]) -> bool {
-    if !(2..=3).contains(&targets.len()) {
-        return false;
-    }
-    let Projection::Orthographic { height_world } = targets[0].view.projection else { return false };
-    let size = targets[0].view.width_px;
-    View::canonical(height_world, size).iter().zip(targets).all(|(canonical, target)| {
-        let (wanted, found) = (canonical.camera::<f64>(), target.view.camera::<f64>());
-        let same_size = target.view.width_px == size && target.view.height_px == size;
-        let probes = [[0.0; 4], [0.3, 0.0, 0.0, 0.0], [0.0, 0.3, 0.0, 0.0], [0.0, 0.0, 0.3, 0.1]];
-        same_size
-            && target.view.projection == targets[0].view.projection
-            && probes.iter().all(|probe| {
-                let (a, b) = (wanted.project(probe), found.project(probe));
-                (0..3).all(|c| (a[c] - b[c]).abs() < 1e-6)
-            })
-    })
 }
 
 /// One view in the search; the side is held mirrored so that its columns run along +z.
@@ -398,15 +379,7 @@ fn agreement_gradient(sheets: &mut [Sheet]) {
                     who[x] = if value > best[x] { y as u32 } else { who[x] };
                     best[x] = best[x].max(value);
                 }
-                let (mut best, mut who) = (0.0, 0);
-                for x in 0..N {
-                    let value = a[x] * c[x];
-                    if value > best {
-                        (best, who) = (value, x as u32);
-                    }
-                }
-                cover_b[0][y * N + z] = best;
-                arg_b[0][y * N + z] = who;
+                (cover_b[0][y * N + z], arg_b[0][y * N + z]) = largest_product(a, c);
             }
         }
     }
@@ -440,6 +413,28 @@ fn agreement_gradient(sheets: &mut [Sheet]) {
             }
         }
     }
+}
+
+/// The largest a(x) c(x) above 0 and the first x that has it; 0 and 0 where there is none. Several x side by side, as
+/// the processor can do them at once.
+fn largest_product(a: &[f32], c: &[f32]) -> (f32, u32) {
+    const LANES: usize = 8;
+    let (mut best, mut who) = ([0.0f32; LANES], [0u32; LANES]);
+    for (block, (a, c)) in a.chunks_exact(LANES).zip(c.chunks_exact(LANES)).enumerate() {
+        for lane in 0..LANES {
+            let value = a[lane] * c[lane];
+            who[lane] = if value > best[lane] { block as u32 } else { who[lane] };
+            best[lane] = best[lane].max(value);
+        }
+    }
+    let mut found = (0.0, 0);
+    for lane in 0..LANES {
+        let x = who[lane] * LANES as u32 + lane as u32;
+        if best[lane] > found.0 || (best[lane] == found.0 && best[lane] > 0.0 && x < found.1) {
+            found = (best[lane], x);
+        }
+    }
+    found
 }
 
 /// Bilinear value and its slopes at a place in pixels (centres at whole numbers); the nearest value outside.
@@ -543,6 +538,24 @@ mod tests {
     }
 
     #[test]
+    fn the_largest_product_is_the_first_of_equals() {
+        let mut rng = crate::rng::Rng::new(2, 0);
+        for round in 0..200 {
+            // Few values, so that equals are common.
+            let mut some = || (0..SIDE).map(|_| rng.below(4 + round % 3) as f32 * 0.25).collect::<Vec<f32>>();
+            let (a, c) = (some(), some());
+            let mut plain = (0.0, 0);
+            for x in 0..SIDE {
+                if a[x] * c[x] > plain.0 {
+                    plain = (a[x] * c[x], x as u32);
+                }
+            }
+            assert_eq!(largest_product(&a, &c), plain);
+        }
+        assert_eq!(largest_product(&[0.0; SIDE], &[1.0; SIDE]), (0.0, 0));
+    }
+
+    #[test]
     fn drawings_keep_their_size_and_stay_near() {
         // A ring, a square's outline and a triangle's: little agrees.
         let ring = picture(|x, y| ((x - 0.5).hypot(y - 0.5) - 0.38).abs() < 0.02);
@@ -574,7 +587,7 @@ mod tests {
     #[test]
     fn other_views_are_left_alone_with_a_note() {
         let mut drawings = letters();
-        drawings[2].view = View::orthographic("oblique", 0.4, 0.3, 1.375, 128);
+        drawings[2].view = crate::view::View::orthographic("oblique", 0.4, 0.3, 1.375, 128);
         let bent = bend(&drawings, &BendOptions::default(), &mut |_| true).unwrap();
         assert!(bent.note.is_some() && bent.targets == drawings);
     }

@@ -24,8 +24,28 @@ impl Grid {
     /// A grid over the box of `half_extents_world` with `across` voxels along the tallest picture's height.
     ///
     /// # Errors
-    /// If there are fewer than two views or the box is not a box.
+    /// As [`Grid::size`].
     pub fn new(targets: &[Target], half_extents_world: [f64; 3], across: usize) -> Result<Grid> {
+        let size = Grid::size(targets, half_extents_world, across)?;
+        let spacing_world = spacing_world(targets, across);
+        let plane_size = targets
+            .iter()
+            .map(|target| {
+                let height = (height_world(&target.view) / spacing_world).round().max(2.0);
+                let aspect = target.view.width_px as f64 / target.view.height_px as f64;
+                [(height * aspect).round().max(2.0) as usize, height as usize]
+            })
+            .collect::<Vec<_>>();
+        let mut grid = Grid { size, spacing_world, plane_size, pixel: Vec::new() };
+        grid.pixel = (0..targets.len()).map(|v| grid.pixels_of(&targets[v].view, grid.plane_size[v])).collect();
+        Ok(grid)
+    }
+
+    /// Voxels along x, y, z of such a grid, the spare layer included.
+    ///
+    /// # Errors
+    /// If there are fewer than two views or the box is not a box.
+    pub fn size(targets: &[Target], half_extents_world: [f64; 3], across: usize) -> Result<[usize; 3]> {
         if targets.len() < 2 {
             return Err(Error::Pictures {
                 problem: format!("{} drawing, but an object needs two or three views", targets.len()),
@@ -38,21 +58,9 @@ impl Grid {
                 remedy: "use a box with positive sides and at least 8 voxels".into(),
             });
         }
-        let tallest = targets.iter().map(|target| height_world(&target.view)).fold(0.0, f64::max);
-        let spacing_world = tallest / across as f64;
+        let spacing_world = spacing_world(targets, across);
         // An even number of voxels keeps their centres on the pixel centres of centred pictures.
-        let size = half_extents_world.map(|half| 2 * ((half / spacing_world).ceil() as usize).max(1) + 2);
-        let plane_size = targets
-            .iter()
-            .map(|target| {
-                let height = (height_world(&target.view) / spacing_world).round().max(2.0);
-                let aspect = target.view.width_px as f64 / target.view.height_px as f64;
-                [(height * aspect).round().max(2.0) as usize, height as usize]
-            })
-            .collect::<Vec<_>>();
-        let mut grid = Grid { size, spacing_world, plane_size, pixel: Vec::new() };
-        grid.pixel = (0..targets.len()).map(|v| grid.pixels_of(&targets[v].view, grid.plane_size[v])).collect();
-        Ok(grid)
+        Ok(half_extents_world.map(|half| 2 * ((half / spacing_world).ceil() as usize).max(1) + 2))
     }
 
     /// Number of voxels, the spare layer included.
@@ -106,6 +114,11 @@ impl Grid {
             })
             .collect()
     }
+}
+
+/// Side of a voxel where `across` of them make the tallest picture's height.
+fn spacing_world(targets: &[Target], across: usize) -> f64 {
+    targets.iter().map(|target| height_world(&target.view)).fold(0.0, f64::max) / across as f64
 }
 
 /// World units from the picture's lower to its upper border, at the looked-at point for a perspective view.

@@ -3,6 +3,7 @@
 use super::Path;
 use super::grid::{Grid, OFF_PICTURE};
 use super::plane::Plane;
+use super::shared::{MOST_ACROSS, are_canonical, shown_together};
 use super::tour::short_tour;
 use crate::error::{Error, Result};
 use crate::view::{Image, Mask, Target};
@@ -16,6 +17,11 @@ pub struct Coverable {
     pub missing: Image,
 }
 
+/// Mean over the views of the share of ink that any object could show, 0 to 1.
+pub fn mean_share(views: &[Coverable]) -> f64 {
+    views.iter().map(|view| f64::from(view.share)).sum::<f64>() / views.len().max(1) as f64
+}
+
 /// Voxels across a picture for the report: one voxel is 2.7 px of 256.
 pub const REPORT_ACROSS: usize = 96;
 
@@ -25,19 +31,30 @@ pub const REPORT_ACROSS: usize = 96;
 /// # Errors
 /// As [`Grid::new`].
 pub fn coverable(targets: &[Target], half_extents_world: [f64; 3], across: usize) -> Result<Vec<Coverable>> {
-    let grid = Grid::new(targets, half_extents_world, across)?;
+    let size = Grid::size(targets, half_extents_world, across)?;
+    let shown = if are_canonical(targets) && across.is_multiple_of(2) && across <= MOST_ACROSS {
+        let inked: Vec<Mask> = targets.iter().map(|target| Plane::ink_mask(&target.ink, across, across)).collect();
+        shown_together(&inked, size.map(|cells| cells - 2))
+    } else {
+        shown_on_grid(targets, &Grid::new(targets, half_extents_world, across)?)
+    };
+    Ok(targets.iter().zip(&shown).map(|(target, shown)| compare(&target.ink, shown)).collect())
+}
+
+/// For each view the pixels of its plane on which some voxel lies that is on ink in every view.
+fn shown_on_grid(targets: &[Target], grid: &Grid) -> Vec<Mask> {
     let inked: Vec<Mask> = targets
         .iter()
         .zip(&grid.plane_size)
         .map(|(target, &[width, height])| Plane::ink_mask(&target.ink, width, height))
         .collect();
     let mut shown: Vec<Mask> = inked.iter().map(|mask| Mask::new(mask.width, mask.height)).collect();
-    for_each_hull_voxel(&grid, &inked, |voxel| {
+    for_each_hull_voxel(grid, &inked, |voxel| {
         for (mask, pixel) in shown.iter_mut().zip(&grid.pixel) {
             mask.data[pixel[voxel] as usize] = true;
         }
     });
-    Ok(targets.iter().zip(&shown).map(|(target, shown)| compare(&target.ink, shown)).collect())
+    shown
 }
 
 fn compare(ink: &Image, shown: &Mask) -> Coverable {
@@ -201,6 +218,20 @@ mod tests {
             assert!((missing - (all - covered) as f32).abs() < 1.0);
         }
         assert!(found.iter().any(|found| found.share < 0.95), "a set without a flaw would prove nothing");
+    }
+
+    #[test]
+    fn rows_of_cells_show_what_the_voxels_show() {
+        let mut all = letters();
+        for (count, half, across) in [(3, [0.6, 0.5, 0.4], 96), (3, [0.55, 0.9, 0.6], 64), (2, [0.6; 3], 128)] {
+            all.truncate(count);
+            let grid = Grid::new(&all, half, across).unwrap();
+            let slow = shown_on_grid(&all, &grid);
+            let inked: Vec<Mask> = all.iter().map(|target| Plane::ink_mask(&target.ink, across, across)).collect();
+            assert!(are_canonical(&all));
+            assert!(shown_together(&inked, grid.size.map(|cells| cells - 2)) == slow);
+            assert!(shown_together(&inked, [4; 3]) != slow, "the box counts");
+        }
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod hull;
 mod place;
 mod placing;
 mod plane;
+mod shared;
 mod shortcuts;
 mod shortest;
 #[cfg(test)]
@@ -26,7 +27,7 @@ pub use bend::{BendOptions, Bent, bend};
 pub use boxfit::{BoxFit, fit_box};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
-pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path};
+pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path, mean_share};
 pub use place::place;
 pub use placing::Orientation;
 pub use tour::{greedy_tour, short_tour, tour_length};

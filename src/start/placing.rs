@@ -21,20 +21,11 @@ impl Orientation {
     }
 
     /// The place in the drawing (0..1, y down) that shows at (u, v) of the result.
-    fn source_of(self, mut u: f64, mut v: f64) -> (f64, f64) {
+    pub(super) fn source_of(self, mut u: f64, mut v: f64) -> (f64, f64) {
         for _ in 0..self.quarter_turns % 4 {
             (u, v) = (1.0 - v, u);
         }
         (if self.mirrored { 1.0 - u } else { u }, v)
-    }
-
-    /// Where the place (u, v) of the drawing (0..1, y down) shows in the result.
-    pub(super) fn place_of(self, u: f64, v: f64) -> (f64, f64) {
-        let (mut u, mut v) = (if self.mirrored { 1.0 - u } else { u }, v);
-        for _ in 0..self.quarter_turns % 4 {
-            (u, v) = (v, 1.0 - u);
-        }
-        (u, v)
     }
 
     /// The same, the drawing itself being mirrored or turned by `first` before.
@@ -42,6 +33,32 @@ impl Orientation {
         // Mirrored, a turn goes the other way round.
         let turns = if self.mirrored { 4 - first.quarter_turns % 4 } else { first.quarter_turns };
         Orientation { mirrored: self.mirrored != first.mirrored, quarter_turns: (self.quarter_turns + turns) % 4 }
+    }
+
+    /// What brings a picture back to how it lay before.
+    pub fn inverse(self) -> Orientation {
+        // A mirrored picture comes back by the same turn: mirroring turns it round.
+        let turns = if self.mirrored { self.quarter_turns } else { 4 - self.quarter_turns % 4 };
+        Orientation { quarter_turns: turns % 4, ..self }
+    }
+
+    /// A whole picture mirrored and turned, pixel by pixel.
+    pub fn applied(self, picture: &Image) -> Image {
+        let (w, h) = (picture.width, picture.height);
+        let (width, height) = if self.lies_down() { (h, w) } else { (w, h) };
+        let mut out = Image::new(width, height);
+        for y in 0..height {
+            for x in 0..width {
+                let (u, v) = match self.quarter_turns % 4 {
+                    0 => (x, y),
+                    1 => (w - 1 - y, x),
+                    2 => (w - 1 - x, h - 1 - y),
+                    _ => (y, h - 1 - x),
+                };
+                out.data[y * width + x] = picture.at(if self.mirrored { w - 1 - u } else { u }, v);
+            }
+        }
+        out
     }
 }
 

@@ -4,7 +4,6 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::fit::recipe;
-use super::preview::mean_share;
 use super::saved::SavedRun;
 use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultReport, TimeReport, match_pictures};
 use crate::objective::Displacement;
@@ -157,7 +156,7 @@ impl Plan {
 
     /// Mean over the views of the share of ink that any object could show.
     pub fn mean_coverable(&self) -> f64 {
-        mean_share(&self.coverable)
+        start::mean_share(&self.coverable)
     }
 
     /// What a person should know before the run, in plain words.

@@ -6,7 +6,7 @@ use super::remedies::{Trials, remedies};
 use crate::Result;
 use crate::metrics::soft_iou;
 use crate::settings::{Bend, OnOff, Settings};
-use crate::start::{self, BendOptions, Coverable, REPORT_ACROSS, coverable};
+use crate::start::{self, BendOptions, REPORT_ACROSS, coverable, mean_share};
 use crate::view::Image;
 use serde::Serialize;
 
@@ -126,9 +126,4 @@ fn bends(plan: &Plan) -> Result<Vec<BendPreview>> {
 fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     let count = values.len().max(1);
     values.sum::<f64>() / count as f64
-}
-
-/// Mean over the views of the share of ink that any object could show.
-pub(super) fn mean_share(found: &[Coverable]) -> f64 {
-    mean(found.iter().map(|view| f64::from(view.share)))
 }

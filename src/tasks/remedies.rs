@@ -1,11 +1,10 @@
 //! What a person can do to drawings that do not go together: mirror one, turn one, let two change places.
 
 use super::multiview::{self, Plan, plan, thicken};
-use super::preview::mean_share;
 use crate::Result;
 use crate::settings::{OnOff, Settings, Turn};
-use crate::start::{Arrangement, Cutouts, Drawing, Orientation, REPORT_ACROSS, coverable};
-use crate::view::Image;
+use crate::start::{Arrangement, Cutouts, Drawing, Orientation, REPORT_ACROSS, coverable, mean_share};
+use crate::view::Target;
 use serde::Serialize;
 
 /// Something a person can do to the drawings with one click.
@@ -86,30 +85,17 @@ impl<'a> Trials<'a> {
             }
         };
         let laid = &self.laid[at].1;
-        let mut targets = laid.targets.clone();
-        for (target, &(_, way)) in targets.iter_mut().zip(ways) {
-            let half_round = way.quarter_turns >= 2;
-            // Mirrored before a quarter turn is upside down after it.
-            if half_round != (way.mirrored && !way.lies_down()) {
-                mirror(&mut target.ink);
-            }
-            if half_round != (way.mirrored && way.lies_down()) {
-                turn_over(&mut target.ink);
-            }
-        }
+        let targets: Vec<Target> = laid
+            .targets
+            .iter()
+            .zip(&laid.placements)
+            .zip(ways)
+            .map(|((target, placed), &(_, way))| Target {
+                view: target.view.clone(),
+                ink: way.after(placed.orientation.inverse()).applied(&target.ink),
+            })
+            .collect();
         Ok(mean_share(&coverable(&targets, laid.half_extents_world, REPORT_ACROSS)?))
-    }
-}
-
-fn mirror(image: &mut Image) {
-    image.data.chunks_exact_mut(image.width).for_each(<[f32]>::reverse);
-}
-
-fn turn_over(image: &mut Image) {
-    let width = image.width;
-    for y in 0..image.height / 2 {
-        let (upper, lower) = image.data.split_at_mut((image.height - 1 - y) * width);
-        upper[y * width..(y + 1) * width].swap_with_slice(&mut lower[..width]);
     }
 }
 

@@ -165,7 +165,7 @@ impl Mask {
             }
             let dx = (i % width).abs_diff(ink as usize % width) as f64;
             let dy = (i / width).abs_diff(ink as usize / width) as f64;
-            dx.hypot(dy) as f32
+            (dx * dx + dy * dy).sqrt() as f32
         };
         let data = self.nearest().into_iter().enumerate().map(distance).collect();
         Image { width, height: self.height, data }

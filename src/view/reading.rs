@@ -14,6 +14,8 @@ pub struct Reading {
 
 /// Bare ground never becomes ink nor full ink ground, whatever the threshold.
 const THRESHOLDS: [f32; 2] = [0.05, 0.95];
+/// A picture with a greater share of ink has no ground to speak of.
+const MOST_INKED: f64 = 0.985;
 /// Least change of strength a pixel that an edge is taken to have: what changes less is flat and falls to one side.
 const LEAST_SLOPE: f32 = 0.1;
 
@@ -32,17 +34,22 @@ impl Reading {
         if self.threshold > 0.0 {
             let [low, high] = THRESHOLDS;
             image = cut(&image, self.threshold.clamp(low, high));
-            let inked = image.data.iter().filter(|&&value| value > 0.5).count();
-            let refuse = |problem: &str, remedy: &str| Err(Error::picture(picture.name(), problem, remedy));
-            if inked == 0 {
-                return refuse("no ink is as strong as the threshold", "lower the threshold");
-            }
-            if inked as f64 > 0.985 * image.data.len() as f64 {
-                return refuse("is inked all over above the threshold", "raise the threshold");
-            }
+            check(picture.name(), &image)?;
         }
         Ok((image, polarity))
     }
+}
+
+/// Whether a threshold left both ink and ground.
+fn check(name: &str, image: &Image) -> Result<()> {
+    let inked = image.data.iter().filter(|&&value| value > 0.5).count();
+    if inked == 0 {
+        return Err(Error::picture(name, "no ink is as strong as the threshold", "lower the threshold"));
+    }
+    if inked as f64 > MOST_INKED * image.data.len() as f64 {
+        return Err(Error::picture(name, "is inked all over above the threshold", "raise the threshold"));
+    }
+    Ok(())
 }
 
 /// Ink where the strength is at least `level`. The border runs where the strength passes the level, about one pixel
@@ -68,10 +75,10 @@ mod tests {
 
     const SIDE: usize = 96;
 
-    /// Strength of ink: a disc of full ink with an antialiased edge, and a pale square beside it.
+    /// Strength of ink: a disc of full ink with an antialiased edge, and a pale line beside it.
     fn strength(x: usize, y: usize) -> f32 {
         let disc = (20.5 - (x as f32 + 0.5 - 30.0).hypot(y as f32 + 0.5 - 48.0)).clamp(0.0, 1.0);
-        let pale = (60..84).contains(&x) && (36..60).contains(&y);
+        let pale = (60..84).contains(&x) && (47..49).contains(&y);
         disc.max(if pale { 0.4 } else { 0.0 })
     }
 
@@ -117,13 +124,13 @@ mod tests {
             let error = Reading { threshold, ..Reading::default() }.of(&faint).unwrap_err();
             assert!(matches!(error, Error::Setting { .. }), "{error:?}");
         }
-        // A soft spot whose middle alone is strong, in a grey that is nowhere bare.
-        let veil = picture(|x, y| {
-            let rim = x == 0 || y == 0 || x == SIDE - 1 || y == SIDE - 1;
-            if rim { 0.0 } else { 0.6 + 0.4 * f32::from(x.abs_diff(48) < 20) }
-        });
-        let error = Reading { threshold: 0.05, ..Reading::default() }.of(&veil).map(|found| found.0.data.len());
-        assert!(error.is_ok() || error.unwrap_err().to_string().starts_with("Front: "));
+        let filled = |share: f32| {
+            let data = (0..1000).map(|i| f32::from((i as f32) < 1000.0 * share)).collect();
+            check("Front", &Image { width: 100, height: 10, data }).map_err(|error| error.to_string())
+        };
+        assert_eq!(filled(0.5), Ok(()));
+        assert_eq!(filled(0.0).unwrap_err(), "Front: no ink is as strong as the threshold; lower the threshold");
+        assert_eq!(filled(1.0).unwrap_err(), "Front: is inked all over above the threshold; raise the threshold");
     }
 
     #[test]

@@ -29,8 +29,8 @@ export class EngineClient {
     if (!worker) return Promise.reject(new Problem(ABSENT));
     const id = this.nextId++;
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve: resolve as (answer: unknown) => void, reject });
       worker.postMessage({ id, call, ...given } as unknown as Request, transfer);
+      this.waiting.set(id, { resolve: resolve as (answer: unknown) => void, reject });
     });
   }
 
