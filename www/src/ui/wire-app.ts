@@ -1,6 +1,7 @@
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../embed/looks";
+import { addressed } from "../state/address";
 import { SLOTS, Studio, type StudioState } from "../state/studio";
 import { layout, NARROW } from "./app-layout";
 import type { EditRequest } from "./drawing-pad";
@@ -134,7 +135,14 @@ export class WireApp extends LitElement {
     this.now = now;
     this.live.state = now;
     if (before.phase !== "idle" && now.phase === "idle") this.ended(before, now);
+    if (now.doc !== before.doc && now.undo !== null) this.readdress(now);
     this.retitle();
+  }
+
+  /** Settings show in the address as people change them. */
+  private readdress({ doc }: StudioState): void {
+    const hash = addressed(location.hash, doc);
+    if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname + location.search);
   }
 
   private ended(before: StudioState, now: StudioState): void {

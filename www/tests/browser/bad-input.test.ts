@@ -2,7 +2,8 @@
 
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { give, launch, pad, padsReady, picture, serveDist, shoot, visit } from "./browser";
+import { give, launch, pad, picture, serveDist, shoot, visit } from "./browser";
+import { padsReady } from "./pads";
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveDist>>;

@@ -137,18 +137,23 @@ export function pad(page: Page, index: number): Locator {
   return page.locator("drawing-pad").nth(index);
 }
 
-/** Waits until all three pads hold ink. */
-export async function padsReady(page: Page): Promise<void> {
-  for (let i = 0; i < 3; i++) await pad(page, i).locator("canvas:not([hidden])").waitFor({ state: "visible" });
-}
-
-/** Sets a setting, whether it is a list or a row of radio buttons. */
+/** Sets a setting: one of the row of radio buttons near Run, or a control of a folded group. */
 export async function choose(page: Page, setting: string, value: string): Promise<void> {
-  const list = page.locator(`select[name=${setting}]`);
   const radio = page.locator(`input[type=radio][name=${setting}][value=${value}]`);
-  await list.or(radio).first().waitFor({ state: "attached" });
-  if (await list.count()) await list.selectOption(value);
-  else await radio.check({ force: true });
+  if (await radio.count()) {
+    await radio.check({ force: true });
+    return;
+  }
+  const control = page.locator(`setting-control[data-setting=${setting}] #control`);
+  for (const group of await page.locator("settings-panel summary").all()) {
+    if (await control.count()) break;
+    await group.click();
+  }
+  await control.waitFor();
+  const kind = await control.evaluate((element) => (element as HTMLInputElement).type);
+  if (kind === "checkbox") await control.setChecked(value === "on" || value === "true");
+  else if (kind === "number") await control.fill(value).then(() => control.press("Tab"));
+  else await control.selectOption(value);
 }
 
 /** The button that starts a run. */

@@ -72,7 +72,7 @@ describe("in the editor", () => {
     await drawStroke(page, large, [[0.2, 0.5], [0.8, 0.5]]);
     await expect.poll(() => inkOn(page, 1)).toBeGreaterThan(2.5 * thin);
     const thick = await inkOn(page, 1);
-    await editor().getByText("Eraser").click();
+    await editor().locator("input[name=tool][value=eraser]").check({ force: true });
     await drawStroke(page, large, [[0.5, 0.2], [0.5, 0.8]]);
     await expect.poll(() => inkOn(page, 1)).toBeLessThan(0.95 * thick);
     await shoot(page, "editor-draw");
@@ -90,7 +90,7 @@ describe("in the editor", () => {
     await text.fill("love");
     await expect.poll(() => editor().locator(".status").textContent()).toContain("Not on the sheet yet");
     await text.press("Enter");
-    await expect.poll(() => pad(page, 0).textContent()).toMatch(/love|shown/);
+    await expect.poll(() => pad(page, 0).locator(".line").innerText()).toMatch(/love|shown/);
     await shoot(page, "editor-type");
     await text.fill("\u{1a20}\u{1a21}");
     await expect.poll(() => editor().locator(".status").textContent()).toContain("no letters");
@@ -113,7 +113,7 @@ describe("in the editor", () => {
     await editor().getByText(/Permission to use, copy, modify/).waitFor();
     await shoot(page, "editor-icons");
     await editor().getByRole("button", { name: "Done" }).click();
-    await expect.poll(() => pad(page, 2).textContent()).toMatch(/bike|shown/);
+    await expect.poll(() => pad(page, 2).locator(".line").innerText()).toMatch(/bike|shown/);
   });
 
   it("never asks for the icons before the shelf is opened", async () => {
@@ -128,7 +128,7 @@ describe("in the editor", () => {
 
   it("finds the ink of a picture in another way", async () => {
     await give(page, 0, { name: "cross.png", mimeType: "image/png", buffer: await picture(page, 300, 300, "cross") });
-    await expect.poll(() => pad(page, 0).textContent()).toMatch(/cross|shown/);
+    await expect.poll(() => pad(page, 0).locator(".line").innerText()).toMatch(/cross|shown/);
     await previewed(page);
     const dark = await inkOn(page, 0);
     await pad(page, 0).getByRole("button", { name: /^More/ }).click();
@@ -136,7 +136,7 @@ describe("in the editor", () => {
     await expect.poll(() => inkOn(page, 0)).toBeGreaterThan(2 * dark);
     await pad(page, 0).getByRole("button", { name: /^More/ }).click();
     await page.getByRole("menuitem", { name: "Set how dark ink is" }).click();
-    await editor().getByText("Dark", { exact: true }).click();
+    await editor().locator("input[name=ink][value=dark]").check({ force: true });
     await expect.poll(() => inkOn(page, 0)).toBeLessThan(1.5 * dark);
     await shoot(page, "editor-picture");
   });

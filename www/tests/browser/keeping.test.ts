@@ -62,7 +62,7 @@ it("goes on with a run that a reload cut off", async () => {
   expect(cut).toBeGreaterThan(0);
   await page.getByRole("button", { name: "Go on" }).click();
   await phase(page, "running");
-  const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel").textContent())!)?.[1] ?? "0").replaceAll(",", ""));
+  const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel p").textContent())!)?.[1] ?? "0").replaceAll(",", ""));
   await expect.poll(step, { timeout: 30_000 }).toBeGreaterThanOrEqual(cut);
   await page.getByRole("button", { name: "Stop" }).click();
   await idle(page);

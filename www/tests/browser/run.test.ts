@@ -33,7 +33,7 @@ afterEach(async () => {
 
 const button = (name: string | RegExp) => page.getByRole("button", { name });
 const phase = (name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
-const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel").textContent())!)?.[1] ?? "-1").replaceAll(",", ""));
+const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel p").textContent())!)?.[1] ?? "-1").replaceAll(",", ""));
 const range = () => page.getByLabel("The run, wire by wire");
 const snapshots = async () => Number(await range().getAttribute("max"));
 

@@ -148,8 +148,9 @@ describe("as a link", () => {
     const { page, faults } = await visit(browser, `${site.url}#v=1&preset=fast&seed=7&colour=red&iterations=-5&__proto__=x`);
     await padsReady(page);
     await expect.poll(() => page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
-    await expect.poll(() => page.locator("input[name=seed]").first().inputValue()).toBe("7");
-    await expect.poll(() => page.locator("input[name=iterations][type=number]").inputValue()).toBe("220");
+    await page.locator("settings-panel summary").first().click();
+    await expect.poll(() => page.locator("[data-setting=seed] #control").inputValue()).toBe("7");
+    await expect.poll(() => page.locator("[data-setting=iterations] #control").inputValue()).toBe("220");
     // What a person changes shows in the address.
     await choose(page, "bend", "free");
     await expect.poll(() => page.evaluate(() => location.hash)).toBe("#v=1&preset=fast&seed=7&bend=free");

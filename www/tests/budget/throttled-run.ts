@@ -3,7 +3,8 @@
 import { existsSync, readFileSync } from "node:fs";
 import { availableParallelism, loadavg } from "node:os";
 import { join } from "node:path";
-import { choose, DIST, DRAWINGS, give, idle, launch, padsReady, run, serveDist, settled, visit } from "../browser/browser";
+import { choose, DIST, DRAWINGS, give, idle, launch, run, serveDist, settled, visit } from "../browser/browser";
+import { padsReady } from "../browser/pads";
 import { throttle, watchLongTasks, type LongTask } from "../browser/throttle";
 import type { Account, Row } from "./budget";
 
