@@ -1,410 +1,101 @@
 /**
- * A room with a wire in it: three walls, on each the shadow the wire casts along that axis, and a camera that people
- * hold. Draws only when something changed. Knows control points and knots and nothing of the rest of the page.
+ * A canvas on which a wire hangs in its room, and a camera that people hold. Knows control points and knots and nothing
+ * of the rest of the page.
  */
 
+import { inPage, inWorker, type Backstage } from "./backstage";
 import { listen } from "./controls";
-import { Easel } from "./easel";
-import { tonesOf, type Look } from "./looks";
-import type { Vec3 } from "./matrix";
-import { axesOf, cameraOf, DIRECTIONS, framed, Orbit, type Pose, type ViewName } from "./orbit";
-import { Painter, WALL_AWAY } from "./painter";
-import { Sampler, samplesPerSpan, type Samples, type WireShape } from "./shape";
-import { buildRings } from "./tube";
+import type { Look } from "./looks";
+import type { ViewName } from "./orbit";
+import type { SceneEvents } from "./scene";
+import type { WireShape } from "./shape";
 
 export type { ViewName } from "./orbit";
-
-/** About as many samples in all as a screen can tell apart. */
-const SAMPLES = 2600;
-const MAX_DENSITY = 2;
-const FLIGHT_MS = 650;
-const STEP_MS = 220;
-/** The tour's views in order, how long it takes to each, and how long the picture stays. */
-const TOUR: readonly ViewName[] = ["front", "side", "top", "room"];
-const TOUR_FLIGHT_MS = 1500;
-const TOUR_STAY_MS = 1000;
-/** Pictures that take longer than this to finish are drawn coarser, down to this share of the pixels a side. */
-const LATE_MS = 40;
-const COARSEST = 0.4;
-/** Longer than this, and they are also drawn less often, to leave the machine to others; longer still, and the page slept. */
-const VERY_LATE_MS = 80;
-const LONGEST_BREATH_MS = 150;
-/** On such machines one in so many wires casts shadows. */
-const HASTY_SHADOWS = 3;
-const ASLEEP_MS = 3000;
-/** The idle camera moves so slowly that half of the frames do. */
-const SWAY_FRAME_MS = 30;
-/** How long everything stands still before the picture is drawn at its finest again. */
-const REST_MS = 250;
-/** Radians the idle camera sways either way, seconds it takes, and seconds until it does so fully. */
-const SWAY_RAD = 0.26;
-const SWAY_S = 26;
-const SWAY_ONSET_S = 4;
-/** Half of the square a shadow usually fills, and how much of the picture's smaller side the room and a view fill. */
-const SHADOW_HALF = 0.8;
-const ROOM_SHARE = 0.94;
-const VIEW_SHARE = 0.84;
-const MAX_PICTURE_PX = 4096;
-
-export class StageUnavailable extends Error {}
+export { StageUnavailable } from "./scene";
 
 /** What the stage tells. */
-export interface StageEvents {
+export interface StageEvents extends SceneEvents {
   /** A person took hold of the camera. */
   hold(): void;
-  /** The view that the camera is at or flies to; null where a person turned it by hand. */
-  view(name: ViewName | null): void;
-  /** The browser took the graphics card away, or gave it back. */
-  lost(lost: boolean): void;
+  /** The worker cannot draw. This stage is of no use; one without a worker, on another canvas, may be. */
+  unavailable(): void;
 }
 
-export class Stage {
-  private readonly gl: WebGL2RenderingContext;
-  private readonly observer: ResizeObserver;
-  private readonly stopListening: () => void;
-  private readonly sampler = new Sampler();
-  private painter: Painter;
-  private easel: Easel;
-  /** Whether what is on the easel or shown is out of date. */
-  private stale = true;
-  private wire: WireShape | null = null;
-  private wireStale = true;
-  private loads = 0;
-  /** Corners of the box round the wire. */
-  private box: readonly Vec3[] = cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]);
-  private ringData: Float32Array<ArrayBuffer> | undefined;
-  private view: ViewName | null = "room";
-  private readonly orbit: Orbit;
-  private frame = 0;
-  private lastFrameMs = 0;
-  private paintedMs = 0;
-  /** A while in which the machine is left to others. */
-  private breath: ReturnType<typeof setTimeout> | undefined;
-  /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
-  private fineness = 1;
-  private rest: ReturnType<typeof setTimeout> | undefined;
-  private swaying = false;
-  private swayStartMs = 0;
-  private swayFrom = 0;
-  /** Views still to come, and the wait at the present one. */
-  private tourLeft: readonly ViewName[] = [];
-  private tourStay: ReturnType<typeof setTimeout> | undefined;
-  private swayAfterTour = false;
-  private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
+const NOTHING = (): void => undefined;
 
-  /** @throws StageUnavailable where the browser has no WebGL 2. */
-  constructor(
-    private readonly canvas: HTMLCanvasElement,
-    private look: Look,
-    private readonly events: Partial<StageEvents> = {},
-  ) {
-    const gl = canvas.getContext("webgl2", { antialias: false, alpha: true, premultipliedAlpha: true });
-    if (!gl) throw new StageUnavailable("this browser cannot draw in 3D here (WebGL 2 is missing or switched off)");
-    this.gl = gl;
-    this.painter = new Painter(gl);
-    this.easel = new Easel(gl);
-    this.orbit = new Orbit(this.poseOf("room", this.aspect));
-    this.observer = new ResizeObserver(this.resized);
-    this.observer.observe(canvas);
-    this.stopListening = listen(canvas, {
-      turn: (azimuth, elevation) => this.held(() => this.orbit.turn(azimuth, elevation)),
-      zoom: (factor) => this.held(() => this.orbit.zoom(factor)),
-      pan: (right, up) => this.held(() => this.orbit.pan(right, up)),
-      view: (name) => {
-        this.events.hold?.();
-        this.flyTo(name);
-      },
+export class Stage {
+  private readonly backstage: Backstage;
+  private readonly ending = new AbortController();
+  private readonly hold: () => void;
+
+  /**
+   * With a worker that runs `backstage-worker.ts`, everything is drawn there.
+   * @throws StageUnavailable where the browser has no WebGL 2; with a worker, `unavailable` tells.
+   */
+  constructor(canvas: HTMLCanvasElement, look: Look, events: Partial<StageEvents> = {}, worker: Worker | null = null) {
+    const { hold = NOTHING, view = NOTHING, lost = NOTHING, unavailable = NOTHING } = events;
+    this.hold = hold;
+    const told = { view, lost };
+    this.backstage = worker ? inWorker(worker, canvas, look, told, unavailable) : inPage(canvas, look, told);
+    const { signal } = this.ending;
+    const still = matchMedia("(prefers-reduced-motion: reduce)");
+    const calm = (): void => this.backstage.act("keepStill", still.matches);
+    still.addEventListener("change", calm, { signal });
+    calm();
+    const observer = new ResizeObserver(() => this.backstage.act("resize", canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1));
+    observer.observe(canvas);
+    const stopListening = listen(canvas, {
+      turn: (azimuthRad, elevationRad) => this.held(() => this.backstage.act("turn", azimuthRad, elevationRad)),
+      zoom: (factor) => this.held(() => this.backstage.act("zoom", factor)),
+      pan: (right, up) => this.held(() => this.backstage.act("pan", right, up)),
+      view: (name) => this.held(() => this.flyTo(name)),
     });
-    canvas.addEventListener("webglcontextlost", this.lost);
-    canvas.addEventListener("webglcontextrestored", this.restored);
-    this.invalidate();
+    signal.addEventListener("abort", () => {
+      observer.disconnect();
+      stopListening();
+    });
   }
 
   setWire(wire: WireShape | null): void {
-    this.wire = wire;
-    this.wireStale = true;
-    this.invalidate();
+    this.backstage.act("setWire", wire);
   }
 
   setLook(look: Look): void {
-    const roomChanged = look.room !== this.look.room;
-    // Tones lie in the rings, and shadows are not cast where no wall is.
-    if (roomChanged || look.colouring !== this.look.colouring) this.wireStale = true;
-    this.look = look;
-    if (roomChanged && this.view === "room" && !this.touring) this.go("room", FLIGHT_MS);
-    this.invalidate();
+    this.backstage.act("setLook", look);
   }
 
   /** A view straight on, or the room as a whole. */
   flyTo(view: ViewName): void {
-    this.rouse();
-    this.go(view, FLIGHT_MS);
+    this.backstage.act("flyTo", view);
   }
 
   /** A step by a button: radians to the right, and a factor of the distance. */
   step(turnRad: number, zoom: number): void {
-    this.rouse();
-    this.orbit.step(turnRad, zoom, performance.now(), this.still.matches ? 0 : STEP_MS);
-    this.setView(null);
-    this.events.hold?.();
-    this.invalidate();
+    this.held(() => this.backstage.act("step", turnRad, zoom));
   }
 
   /** From view to view and back to the room, until somebody takes hold; nothing for people who asked for less motion. */
   tour(): void {
-    if (this.still.matches) return;
-    const swayed = this.swaying;
-    this.rouse();
-    this.swayAfterTour = swayed;
-    this.tourLeft = TOUR;
-    this.nextOfTour();
+    this.backstage.act("tour");
   }
 
   /** Whether the camera sways slowly by itself; never for people who asked for less motion. */
   sway(on: boolean): void {
-    if (this.touring) {
-      this.swayAfterTour = on;
-      return;
-    }
-    if (on === this.swaying || (on && this.still.matches)) return;
-    this.swaying = on;
-    this.swayStartMs = performance.now();
-    this.swayFrom = this.orbit.destination.azimuthRad;
-    this.invalidate();
+    this.backstage.act("sway", on);
   }
 
   /** What the stage shows as a PNG of that size, on the colour of its walls. */
-  async picture(widthPx: number, heightPx: number): Promise<Blob> {
-    const [width, height] = [widthPx, heightPx].map((size) => Math.max(1, Math.min(MAX_PICTURE_PX, Math.round(size)))) as [number, number];
-    const flat = new OffscreenCanvas(width, height);
-    const context = flat.getContext("2d")!;
-    context.fillStyle = this.look.wall;
-    context.fillRect(0, 0, width, height);
-    if (this.wireStale || this.fineness < 1) {
-      this.fineness = 1;
-      this.loadWire();
-    }
-    // Shown and copied in the same task, or the browser would have cleared it; and nobody sees it at the wrong size.
-    this.paint(width, height, this.view && !this.orbit.flying ? this.atAzimuth(this.poseOf(this.view, width / height)) : this.orbit.pose);
-    this.easel.show();
-    context.drawImage(this.canvas, 0, 0);
-    this.paintCanvas();
-    this.easel.show();
-    return flat.convertToBlob({ type: "image/png" });
+  picture(widthPx: number, heightPx: number): Promise<Blob> {
+    return this.backstage.picture(widthPx, heightPx);
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.frame);
-    for (const timer of [this.rest, this.tourStay, this.breath]) clearTimeout(timer);
-    this.observer.disconnect();
-    this.stopListening();
-    this.canvas.removeEventListener("webglcontextlost", this.lost);
-    this.canvas.removeEventListener("webglcontextrestored", this.restored);
-    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
-  }
-
-  private readonly lost = (event: Event): void => {
-    event.preventDefault();
-    this.events.lost?.(true);
-  };
-
-  private readonly restored = (): void => {
-    this.painter = new Painter(this.gl);
-    this.easel = new Easel(this.gl);
-    this.wireStale = true;
-    this.events.lost?.(false);
-    this.invalidate();
-  };
-
-  /** What is shown is stretched until the next picture is there, but never empty. */
-  private readonly resized = (): void => {
-    if (this.view && !this.orbit.flying) this.orbit.flyTo(this.atAzimuth(this.poseOf(this.view, this.aspect)), 0, 0);
-    this.invalidate();
-  };
-
-  private get aspect(): number {
-    const { clientWidth, clientHeight } = this.canvas;
-    return clientWidth > 0 && clientHeight > 0 ? clientWidth / clientHeight : 1.5;
-  }
-
-  private get touring(): boolean {
-    return this.tourLeft.length > 0;
-  }
-
-  private poseOf(view: ViewName, aspect: number): Pose {
-    const room = view === "room" && this.look.room;
-    return framed(DIRECTIONS[view], room ? ROOM_CORNERS : this.box, aspect, room ? ROOM_SHARE : VIEW_SHARE);
-  }
-
-  /** The same frame, seen from where the swaying camera is. */
-  private atAzimuth(pose: Pose): Pose {
-    return this.view === "room" ? { ...pose, azimuthRad: this.orbit.pose.azimuthRad } : pose;
-  }
-
-  private go(view: ViewName, durationMs: number): void {
-    this.orbit.flyTo(this.poseOf(view, this.aspect), performance.now(), this.still.matches ? 0 : durationMs);
-    this.setView(view);
-    this.invalidate();
-  }
-
-  private setView(view: ViewName | null): void {
-    if (view === this.view) return;
-    this.view = view;
-    this.events.view?.(view);
-  }
-
-  /** Ends whatever the camera does by itself. */
-  private rouse(): void {
-    this.swaying = false;
-    this.tourLeft = [];
-    clearTimeout(this.tourStay);
-    this.tourStay = undefined;
+    this.ending.abort();
+    this.backstage.dispose();
   }
 
   private held(action: () => void): void {
-    this.rouse();
     action();
-    this.setView(null);
-    this.events.hold?.();
-    this.invalidate();
-  }
-
-  private readonly nextOfTour = (): void => {
-    this.tourStay = undefined;
-    const [next] = this.tourLeft;
-    if (next) this.go(next, TOUR_FLIGHT_MS);
-  };
-
-  /** The tour's flight has landed. */
-  private stay(): void {
-    this.tourLeft = this.tourLeft.slice(1);
-    if (this.touring) this.tourStay = setTimeout(this.nextOfTour, TOUR_STAY_MS);
-    else this.sway(this.swayAfterTour);
-  }
-
-  private invalidate(): void {
-    this.stale = true;
-    if (this.breath === undefined) this.ask();
-  }
-
-  private readonly ask = (): void => {
-    this.breath = undefined;
-    this.frame ||= requestAnimationFrame(this.draw);
-  };
-
-  private readonly draw = (nowMs: number): void => {
-    this.frame = 0;
-    if (this.gl.isContextLost()) return;
-    if (this.easel.busy) {
-      if (!this.easel.ready) {
-        this.ask();
-        return;
-      }
-      this.easel.show();
-      // A picture that nothing follows may take its time.
-      const lateMs = performance.now() - this.paintedMs;
-      if (this.stale) this.adapt(lateMs);
-      if (this.stale && lateMs > VERY_LATE_MS) {
-        this.breath = setTimeout(this.ask, Math.min(LONGEST_BREATH_MS, lateMs));
-        return;
-      }
-    }
-    if (!this.stale) return;
-    const moving = this.wireStale || this.orbit.flying;
-    if (this.swaying && !moving && nowMs - this.lastFrameMs < SWAY_FRAME_MS) {
-      this.invalidate();
-      return;
-    }
-    this.lastFrameMs = nowMs;
-    const flew = this.orbit.flying;
-    const flying = this.orbit.advance(nowMs);
-    if (this.swaying && !flying) {
-      const seconds = Math.max(0, nowMs - this.swayStartMs) / 1000;
-      const onset = Math.min(1, seconds / SWAY_ONSET_S);
-      this.orbit.pose.azimuthRad = this.swayFrom + SWAY_RAD * onset * Math.sin((seconds / SWAY_S) * 2 * Math.PI);
-    }
-    if (this.wireStale) this.loadWire();
-    this.paintCanvas();
-    if (flew && !flying && this.touring) this.stay();
-    this.stale = flying || this.swaying;
-    this.ask();
-  };
-
-  /** Coarser when pictures are late; fine again after a rest. */
-  private adapt(lateMs: number): void {
-    if (lateMs < LATE_MS || lateMs > ASLEEP_MS) return;
-    // Where even that does not help, at least nothing moves by itself.
-    if (this.fineness === COARSEST) this.swaying = false;
-    this.fineness = Math.max(COARSEST, this.fineness * 0.8);
-    clearTimeout(this.rest);
-    this.rest = setTimeout(this.refine, REST_MS);
-  }
-
-  private readonly refine = (): void => {
-    if (this.stale || this.easel.busy) {
-      this.rest = setTimeout(this.refine, REST_MS);
-      return;
-    }
-    this.fineness = 1;
-    this.wireStale = true;
-    this.invalidate();
-  };
-
-  private loadWire(): void {
-    this.wireStale = false;
-    const samples = this.wire && this.sampler.sample(this.wire, this.perSpan(this.wire));
-    if (samples && samples.count > 0) {
-      const rings = buildRings(samples, tonesOf(this.look.colouring, samples), this.ringData);
-      this.ringData = rings.data;
-      this.box = boxOf(samples);
-      this.painter.load(rings);
-    } else {
-      this.painter.load({ count: 0, data: new Float32Array(0) });
-    }
-    // Where time is short the shadows follow more slowly; the fine picture at rest has them right.
-    const hasty = this.fineness < 1 && this.loads++ % HASTY_SHADOWS > 0;
-    if (this.look.room && !hasty) this.painter.castShadows();
-  }
-
-  private perSpan(wire: WireShape): number {
-    const fine = samplesPerSpan(wire, SAMPLES);
-    return this.fineness < 1 ? Math.max(1, fine >> 1) : fine;
-  }
-
-  private paintCanvas(): void {
-    const density = Math.min(MAX_DENSITY, devicePixelRatio || 1) * this.fineness;
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map((size) => Math.max(1, Math.round(size * density)));
-    this.paint(width!, height!, this.orbit.pose);
-  }
-
-  private paint(width: number, height: number, pose: Pose): void {
-    this.paintedMs = performance.now();
-    this.easel.draw(width, height, () =>
-      this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.fineness < 1),
-    );
+    this.hold();
   }
 }
-
-function cornersOf(low: Vec3, high: Vec3): Vec3[] {
-  return Array.from({ length: 8 }, (_, i) => [0, 1, 2].map((c) => (i & (1 << c) ? high : low)[c]!) as unknown as Vec3);
-}
-
-function boxOf({ points, count }: Samples): Vec3[] {
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (let at = 0; at < 4 * count; at += 4) {
-    for (let c = 0; c < 3; c++) {
-      const x = points[at + c]!;
-      if (x < low[c]!) low[c] = x;
-      if (x > high[c]!) high[c] = x;
-    }
-  }
-  return cornersOf(low, high);
-}
-
-/** What should be in the picture of the room: the three shadows, and so the wire between them. */
-const ROOM_CORNERS: readonly Vec3[] = [0, 1, 2].flatMap((wall) =>
-  cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]).map(
-    (corner) => corner.map((x, c) => (c === wall ? -WALL_AWAY : x)) as unknown as Vec3,
-  ),
-);

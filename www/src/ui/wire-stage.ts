@@ -58,6 +58,8 @@ export class WireStage extends LitElement {
   private stage: Stage | null = null;
   private wire: WireShape | null = null;
   private swaying = true;
+  /** Whether a worker draws; where it turns out not to be able to, the page does. */
+  private aside = typeof Worker === "function" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 
   static override styles = [
     controls,
@@ -337,17 +339,27 @@ export class WireStage extends LitElement {
 
   private start(): void {
     try {
-      this.stage = new Stage(this.canvas, lookOf(this.look, isDark(), this.room), {
+      const worker = this.aside ? new Worker(new URL("../embed/backstage-worker.ts", import.meta.url), { type: "module", name: "stage" }) : null;
+      const events = {
         hold: () => this.tell("hold"),
-        view: (view) => (this.view = view),
-        lost: (lost) => (this.lost = lost),
-      });
+        view: (view: ViewName | null) => (this.view = view),
+        lost: (lost: boolean) => (this.lost = lost),
+        unavailable: () => this.stayHere(),
+      };
+      this.stage = new Stage(this.canvas, lookOf(this.look, isDark(), this.room), events, worker);
       this.stage.setWire(this.wire);
       this.stage.sway(this.swaying);
     } catch (error) {
       if (!(error instanceof StageUnavailable)) console.error(error);
       this.problem = true;
     }
+  }
+
+  private stayHere(): void {
+    this.stage?.dispose();
+    this.stage = null;
+    this.aside = false;
+    this.life++;
   }
 
   private readonly relook = (): void => this.stage?.setLook(lookOf(this.look, isDark(), this.room));

@@ -41,6 +41,8 @@ function blockStorage(): void {
 }
 
 function takeWebgl2(): void {
+  // Or it would be there in workers.
+  Reflect.deleteProperty(HTMLCanvasElement.prototype, "transferControlToOffscreen");
   for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
     const getContext = prototype.getContext as (...rest: unknown[]) => unknown;
     prototype.getContext = function (this: unknown, kind: string, ...rest: unknown[]) {
