@@ -9,14 +9,15 @@ export interface Sorted {
   readonly note: string;
 }
 
-/** At most `room` pictures are taken, and a wire only if there is nothing else. */
-export function sortFiles(files: readonly File[], room: number): Sorted {
+/** At most `room` pictures are taken, and a wire only if there is nothing else. `folders` names what is no file at all. */
+export function sortFiles(files: readonly File[], folders: readonly string[], room: number): Sorted {
   const isWire = (file: File): boolean => /\.json$/i.test(file.name) && file.size <= MOST_WIRE_BYTES;
   const isMoving = (file: File): boolean => /^(video|audio)\//.test(file.type);
   const wires = files.filter(isWire);
   const moving = files.filter(isMoving);
-  const pictures = files.filter((file) => !isWire(file) && !isMoving(file));
+  const pictures = files.filter((file) => !isWire(file) && !isMoving(file) && !folders.includes(file.name));
   const notes: string[] = [];
+  if (folders.length) notes.push(`${folders[0]!} is a folder; open it and drop the pictures in it.`);
   if (moving.length) notes.push(`${moving[0]!.name} is a film or sound; take a still picture of it.`);
   if (pictures.length > room) notes.push(`There are three pads; the first ${room === 3 ? "three" : room} of ${pictures.length} files were taken.`);
   if (wires.length > 1) notes.push(`One wire at a time: ${wires[0]!.name} was opened.`);

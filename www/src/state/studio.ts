@@ -181,9 +181,9 @@ export class Studio {
   }
 
   /** Files dropped or pasted anywhere: pictures into the empty pads first, then from the front on; a wire onto the stage. */
-  async takeFiles(files: readonly File[]): Promise<void> {
+  async takeFiles(files: readonly File[], folders: readonly string[] = []): Promise<void> {
     if (this.busy || files.length === 0) return;
-    const { pictures, wire, note } = sortFiles(files, SLOTS.length);
+    const { pictures, wire, note } = sortFiles(files, folders, SLOTS.length);
     this.store.set({ problem: note });
     if (wire && pictures.length === 0) await this.openFile(wire);
     const { papers } = this.doc;
@@ -296,6 +296,7 @@ export class Studio {
   /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
   openFragment(hash: string): boolean {
     const { code, settings, newer } = readFragment(hash);
+    this.warn("");
     if (newer) {
       this.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
       return false;
@@ -464,7 +465,7 @@ export class Studio {
     try {
       const { wire, views } = openShareCode(code);
       this.showWire(wire);
-      this.store.set({ views, targets: [], track: null, looking: null, problem: "" });
+      this.store.set({ views, targets: [], track: null, looking: null });
     } catch (error) {
       if (!(error instanceof ShareCodeError)) throw error;
       this.warn(asSentence(error.message));

@@ -183,7 +183,9 @@ export class WireApp extends LitElement {
 
   private take(data: DataTransfer | null): void {
     const files = [...(data?.files ?? [])];
-    if (files.length) void this.studio.takeFiles(files);
+    const entries = [...(data?.items ?? [])].map((item) => item.webkitGetAsEntry());
+    const folders = entries.flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
+    if (files.length) void this.studio.takeFiles(files, folders);
     else this.studio.takeText(data?.getData("text") ?? "");
   }
 

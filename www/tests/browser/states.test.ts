@@ -92,7 +92,7 @@ describe("in hard places", () => {
     await runButton(page).click();
     await page.locator("[data-phase=running]").first().waitFor({ state: "attached", timeout: 60_000 });
     await idle(page);
-    expect(await page.locator(".verdict").textContent()).toMatch(/wire/);
+    expect(await page.locator(".verdict").textContent()).toMatch(/match/);
     await shoot(page, "no-webgl");
     expect(await axeFaults(page)).toEqual([]);
     expect(faults.filter((fault) => !/WebGL/.test(fault))).toEqual([]);
