@@ -83,8 +83,18 @@ struct Sheet {
     warped: Vec<f32>,
     slope: [Vec<f32>; 2],
     d_warped: Vec<f32>,
-    /// Where strokes are straight: weight and unit direction (across, down).
-    straight: Vec<(f32, [f32; 2])>,
+    straight: Straight,
+}
+
+/// Where strokes are straight and which way they run, as planes that can be gone through side by side. For a stroke of
+/// unit direction t and normal n, the second derivative of n·d along t is Σ n(c) f(k) ∂²d(c) over the three second
+/// derivatives.
+struct Straight {
+    weight: Vec<f32>,
+    /// n, across and down.
+    normal: [Vec<f32>; 2],
+    /// f: t(x)², 2 t(x) t(y), t(y)².
+    factor: [Vec<f32>; 3],
 }
 
 struct Search {
@@ -266,20 +276,19 @@ impl Sheet {
     /// Gradient of mean w (∂²(n·d)/∂t²)² over straight strokes with direction t and normal n: how much a straight
     /// stroke would curve.
     fn add_straightness_gradient(&self, lattice: &mut Lattice, weight: f32, gradient: &mut [Vec<f32>; 2]) {
-        let total: f32 = self.straight.iter().map(|s| s.0).sum();
+        let Straight { weight: strength, normal, factor } = &self.straight;
+        let total: f32 = strength.iter().sum();
         if weight <= 0.0 || total <= 0.0 {
             return;
         }
         let orders = [(2, 0), (1, 1), (0, 2)];
-        let factors = |[tx, ty]: [f32; 2]| [tx * tx, 2.0 * tx * ty, ty * ty];
         let mut curving = vec![0.0f32; SIDE * SIDE];
         let mut part = vec![0.0f32; SIDE * SIDE];
-        let normal = |t: [f32; 2], c: usize| if c == 0 { -t[1] } else { t[0] };
         for c in 0..2 {
             for (k, &(along_x, along_y)) in orders.iter().enumerate() {
                 lattice.evaluate(&self.lattice[c], along_x, along_y, &mut part);
-                for (i, &(_, t)) in self.straight.iter().enumerate() {
-                    curving[i] += normal(t, c) * factors(t)[k] * part[i];
+                for (((sum, n), f), d) in curving.iter_mut().zip(&normal[c]).zip(&factor[k]).zip(&part) {
+                    *sum += n * f * d;
                 }
             }
         }
@@ -287,8 +296,9 @@ impl Sheet {
         let scale = (SIDE as f32 / CONTROLS as f32).powi(4) * weight / total / CONTROLS as f32;
         for c in 0..2 {
             for (k, &(along_x, along_y)) in orders.iter().enumerate() {
-                for (i, &(w, t)) in self.straight.iter().enumerate() {
-                    part[i] = 2.0 * scale * w * curving[i] * normal(t, c) * factors(t)[k];
+                let directions = normal[c].iter().zip(&factor[k]);
+                for (((d, w), curving), (n, f)) in part.iter_mut().zip(strength).zip(&curving).zip(directions) {
+                    *d = 2.0 * scale * w * curving * n * f;
                 }
                 lattice.evaluate_vjp(&part, along_x, along_y, &mut gradient[c]);
             }
@@ -321,7 +331,7 @@ fn add_difference_gradient(lattice: &[f32], weight: f32, gradient: &mut [f32]) {
 
 /// Where the picture's edges run straight: weight 0 to 1 and direction, from the structure tensor (Bigün & Granlund
 /// 1987) over a window of a tenth of the picture.
-fn straightness(ink: &Image) -> Vec<(f32, [f32; 2])> {
+fn straightness(ink: &Image) -> Straight {
     let soft = ink.blurred(0.7);
     let mut tensor = [Image::new(SIDE, SIDE), Image::new(SIDE, SIDE), Image::new(SIDE, SIDE)];
     for y in 1..SIDE - 1 {
@@ -335,16 +345,23 @@ fn straightness(ink: &Image) -> Vec<(f32, [f32; 2])> {
         }
     }
     let tensor = tensor.map(|image| image.blurred(SIDE as f64 / 20.0));
-    (0..SIDE * SIDE)
-        .map(|i| {
-            let [xx, xy, yy] = [0, 1, 2].map(|k| tensor[k].data[i]);
-            let (sum, spread) = (xx + yy, (xx - yy).hypot(2.0 * xy));
-            let coherence = if sum > 1e-6 { spread / sum } else { 0.0 };
-            // The stroke runs across the strongest gradient.
-            let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
-            (coherence.powi(4) * soft.data[i].min(1.0), [-angle.sin(), angle.cos()])
-        })
-        .collect()
+    let mut straight = Straight { weight: Vec::new(), normal: Default::default(), factor: Default::default() };
+    for i in 0..SIDE * SIDE {
+        let [xx, xy, yy] = [0, 1, 2].map(|k| tensor[k].data[i]);
+        let (sum, spread) = (xx + yy, (xx - yy).hypot(2.0 * xy));
+        let coherence = if sum > 1e-6 { spread / sum } else { 0.0 };
+        // The stroke runs across the strongest gradient.
+        let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
+        let [tx, ty] = [-angle.sin(), angle.cos()];
+        straight.weight.push(coherence.powi(4) * soft.data[i].min(1.0));
+        for (plane, value) in straight.normal.iter_mut().zip([-ty, tx]) {
+            plane.push(value);
+        }
+        for (plane, value) in straight.factor.iter_mut().zip([tx * tx, 2.0 * tx * ty, ty * ty]) {
+            plane.push(value);
+        }
+    }
+    straight
 }
 
 /// Fills each sheet's `d_warped` with the gradient of Σ_views Σ A (1 - cov A)² / Σ A, where for the front
@@ -367,18 +384,8 @@ fn agreement_gradient(sheets: &mut [Sheet]) {
             let (arg_a, rest) = arg.split_at_mut(1);
             let (arg_b, arg_c) = rest.split_at_mut(1);
             if b > 1e-4 {
-                let (best, who) = (&mut cover_a[0][y * N..][..N], &mut arg_a[0][y * N..][..N]);
-                for x in 0..N {
-                    let value = b * c[x];
-                    who[x] = if value > best[x] { z as u32 } else { who[x] };
-                    best[x] = best[x].max(value);
-                }
-                let (best, who) = (&mut cover_c[0][z * N..][..N], &mut arg_c[0][z * N..][..N]);
-                for x in 0..N {
-                    let value = b * a[x];
-                    who[x] = if value > best[x] { y as u32 } else { who[x] };
-                    best[x] = best[x].max(value);
-                }
+                raise(&mut cover_a[0][y * N..][..N], &mut arg_a[0][y * N..][..N], b, c, z as u32);
+                raise(&mut cover_c[0][z * N..][..N], &mut arg_c[0][z * N..][..N], b, a, y as u32);
                 (cover_b[0][y * N + z], arg_b[0][y * N + z]) = largest_product(a, c);
             }
         }
@@ -412,6 +419,17 @@ fn agreement_gradient(sheets: &mut [Sheet]) {
                 }
             }
         }
+    }
+}
+
+/// Where `factor` times `with` is more than the best so far, makes it the best and `name` whose it is. Written so that
+/// the processor does several x at once: the compiler must not see a choice whether to read.
+fn raise(best: &mut [f32], who: &mut [u32], factor: f32, with: &[f32], name: u32) {
+    for ((best, who), with) in best.iter_mut().zip(who).zip(with) {
+        let (value, before, former) = (factor * with, *best, *who);
+        let is_more = value > before;
+        *best = if is_more { value } else { before };
+        *who = if is_more { name } else { former };
     }
 }
 
