@@ -8,6 +8,7 @@ import side from "../../../tests/drawings/t01-animals/side.png?url";
 import top from "../../../tests/drawings/t01-animals/top.png?url";
 import codeUrl from "./example.code?url";
 import { SLOTS, type Slot } from "./document";
+import { nextTask } from "./next-task";
 import { PAPER_PX, type Paper } from "./paper";
 
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
@@ -24,13 +25,18 @@ export async function exampleCode(): Promise<string> {
 }
 
 export async function examplePapers(): Promise<Record<Slot, Paper>> {
-  const papers = await Promise.all(SLOTS.map(async (slot) => [slot, await paper(DRAWINGS[slot])] as const));
+  const bitmaps = SLOTS.map(async (slot) => createImageBitmap(await (await fetched(DRAWINGS[slot].url)).blob()));
+  const papers: [Slot, Paper][] = [];
+  for (const [i, slot] of SLOTS.entries()) {
+    const bitmap = await bitmaps[i]!;
+    await nextTask();
+    papers.push([slot, paper(bitmap, DRAWINGS[slot].label)]);
+  }
   return Object.fromEntries(papers) as Record<Slot, Paper>;
 }
 
 /** Dark lines on white become ink; no finder is needed for drawings that we made ourselves. */
-async function paper({ url, label }: { url: string; label: string }): Promise<Paper> {
-  const bitmap = await createImageBitmap(await (await fetched(url)).blob());
+function paper(bitmap: ImageBitmap, label: string): Paper {
   const context = new OffscreenCanvas(PAPER_PX, PAPER_PX).getContext("2d", { willReadFrequently: true })!;
   context.fillStyle = "#fff";
   context.fillRect(0, 0, PAPER_PX, PAPER_PX);

@@ -1,10 +1,11 @@
-import { css, html, LitElement, nothing } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { DrawingPreview, Ink } from "../engine/protocol";
 import { SLOTS, type Slot } from "../state/document";
 import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../state/paper";
 import type { Studio, StudioState } from "../state/studio";
 import { percent, placement } from "../state/words";
+import { Part } from "../view/part";
 import { icons } from "./icons";
 import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
@@ -37,7 +38,7 @@ export const pictureIn = (paper: Paper | null): PictureLayer | undefined =>
  * (an EditRequest) when somebody wants the large sheet.
  */
 @customElement("drawing-pad")
-export class DrawingPad extends LitElement {
+export class DrawingPad extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
   @property() slotName: Slot = "front";

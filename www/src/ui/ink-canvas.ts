@@ -1,9 +1,10 @@
 /** A sheet of ink to look at, and to draw on with mouse, pen, finger or keys. */
 
-import { css, html, LitElement, nothing, type PropertyValues } from "lit";
+import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../engine/protocol";
 import { PAPER_PX } from "../state/paper";
+import { Part } from "../view/part";
 import { controls } from "./shared";
 
 export interface Pen {
@@ -29,7 +30,7 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 
 /** Fires `stroke` with the points of a finished stroke (x, y, … in px of the sheet). */
 @customElement("ink-canvas")
-export class InkCanvas extends LitElement {
+export class InkCanvas extends Part {
   @property(sameInk) ink: Ink | null = null;
   /** The part of the ink that no object can show; hatched. */
   @property(sameInk) missing: Ink | null = null;
@@ -247,20 +248,33 @@ function paintSheet(canvas: HTMLCanvasElement, ink: Ink | null, missing: Ink | n
   canvas.width = ink?.width ?? PAPER_PX;
   canvas.height = ink?.height ?? PAPER_PX;
   if (!ink) return;
-  const lost = missing?.ink.length === ink.ink.length ? missing.ink : null;
   const context = canvas.getContext("2d")!;
-  context.drawImage(tinted(ink, colour, (i) => ink.ink[i]! - (lost?.[i] ?? 0)), 0, 0);
-  if (!lost) return;
-  const unit = PAPER_PX / ink.width;
-  const hatched = (i: number): boolean => ((i % ink.width) + Math.floor(i / ink.width)) * unit % HATCH_PX < FILLED_PX;
-  context.drawImage(tinted(ink, amber, (i) => lost[i]! * (hatched(i) ? 1 : BETWEEN)), 0, 0);
+  const lost = missing?.ink.length === ink.ink.length ? missing.ink : null;
+  const { kept, hatched } = lost ? hatch(ink, lost) : { kept: ink.ink, hatched: null };
+  context.drawImage(tinted(ink, kept, colour), 0, 0);
+  if (hatched) context.drawImage(tinted(ink, hatched, amber), 0, 0);
 }
 
-function tinted({ width, height }: Ink, colour: string, opacity: (i: number) => number): OffscreenCanvas {
+/** The ink that can be shown, and the hatching of what cannot. */
+function hatch({ ink, width, height }: Ink, lost: Uint8Array): { kept: Uint8Array; hatched: Uint8Array } {
+  const [kept, hatched] = [new Uint8Array(ink.length), new Uint8Array(ink.length)];
+  const unit = PAPER_PX / width;
+  for (let y = 0, i = 0; y < height; y++) {
+    for (let x = 0; x < width; x++, i++) {
+      const gone = lost[i]!;
+      kept[i] = ink[i]! - gone;
+      if (gone > 0) hatched[i] = ((x + y) * unit) % HATCH_PX < FILLED_PX ? gone : BETWEEN * gone;
+    }
+  }
+  return { kept, hatched };
+}
+
+function tinted({ width, height }: Ink, opacity: Uint8Array, colour: string): OffscreenCanvas {
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d")!;
   const pixels = context.createImageData(width, height);
-  for (let i = 0; i < width * height; i++) pixels.data[4 * i + 3] = opacity(i);
+  const { data } = pixels;
+  for (let i = 0; i < opacity.length; i++) data[4 * i + 3] = opacity[i]!;
   context.putImageData(pixels, 0, 0);
   context.globalCompositeOperation = "source-in";
   context.fillStyle = colour;

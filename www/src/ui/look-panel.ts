@@ -1,6 +1,7 @@
-import { css, html, LitElement } from "lit";
+import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { LOOK_NAMES, type LookName } from "../embed/looks";
+import { Part } from "../view/part";
 import { foldStyle } from "./fold";
 import { icons } from "./icons";
 import { controls } from "./shared";
@@ -14,7 +15,7 @@ const WORDS: Readonly<Record<LookName, string>> = {
 
 /** How the stage looks. Fires `look-change` with `{ look, room }`, as the stage does. */
 @customElement("look-panel")
-export class LookPanel extends LitElement {
+export class LookPanel extends Part {
   @property() look: LookName = "copper";
   @property({ type: Boolean }) room = true;
 

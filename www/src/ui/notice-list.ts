@@ -1,14 +1,15 @@
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../state/studio";
 import { count } from "../view/count";
+import { Part } from "../view/part";
 import { engineProblem } from "./engine-check";
 import { icons } from "./icons";
 import { controls } from "./shared";
 
 /** What a person should know and can do something about: calm, over the stage, so that nothing moves; and problems. */
 @customElement("notice-list")
-export class NoticeList extends LitElement {
+export class NoticeList extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
   private readonly engineProblem = engineProblem();

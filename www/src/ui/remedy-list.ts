@@ -1,9 +1,10 @@
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { BendPreview } from "../engine/protocol";
 import type { PadRemedy } from "../state/previewer";
 import type { Studio, StudioState } from "../state/studio";
 import { percent } from "../state/words";
+import { Part } from "../view/part";
 import { AS_GOOD_AS_ALL } from "./drawing-pad";
 import { icons } from "./icons";
 import { controls } from "./shared";
@@ -15,7 +16,7 @@ const MOST_REMEDIES = 3;
 
 /** How much of the drawings can be shown together, and what would help. */
 @customElement("remedy-list")
-export class RemedyList extends LitElement {
+export class RemedyList extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
 

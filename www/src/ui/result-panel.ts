@@ -1,4 +1,4 @@
-import { css, html, LitElement } from "lit";
+import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import type { WireShape } from "../embed/shape";
 import type { Made } from "../state/document";
@@ -7,6 +7,7 @@ import { count } from "../view/count";
 import "../view/loss-curve";
 import "../view/match-panels";
 import type { Match, MatchPanels } from "../view/match-panels";
+import { Part } from "../view/part";
 import { controls } from "./shared";
 import { match, verdict } from "./verdict";
 
@@ -14,7 +15,7 @@ const DASH = "–";
 
 /** The numbers that matter, the curve, and what they come to in a sentence. */
 @customElement("result-panel")
-export class ResultPanel extends LitElement {
+export class ResultPanel extends Part {
   @property({ attribute: false }) state!: StudioState;
   @query("match-panels") private panels!: MatchPanels | null;
   private wire: WireShape | null = null;

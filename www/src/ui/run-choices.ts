@@ -1,7 +1,8 @@
-import { css, html, LitElement } from "lit";
+import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../state/studio";
 import { percent } from "../state/words";
+import { Part } from "../view/part";
 import { segmented, segmentedStyle } from "./segmented";
 import { WORDS } from "./setting-words";
 import { controls } from "./shared";
@@ -14,7 +15,7 @@ const BENDS: Readonly<Record<string, string>> = {
 
 /** The two choices that matter most: how much to spend, and how far the drawings may bend. */
 @customElement("run-choices")
-export class RunChoices extends LitElement {
+export class RunChoices extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
 

@@ -1,14 +1,15 @@
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../state/studio";
 import { timeLeft } from "../state/words";
 import { count } from "../view/count";
+import { Part } from "../view/part";
 import { icons } from "./icons";
 import { controls } from "./shared";
 
 /** Run and what goes with it, and what is going on in words. Fires `draw` when a person wants to draw. */
 @customElement("run-panel")
-export class RunPanel extends LitElement {
+export class RunPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
 

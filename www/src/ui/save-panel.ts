@@ -1,7 +1,8 @@
-import { css, html, LitElement, nothing } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../engine/protocol";
 import type { Studio, StudioState } from "../state/studio";
+import { Part } from "../view/part";
 import { download } from "./download";
 import { fileStem } from "./file-name";
 import { foldStyle } from "./fold";
@@ -26,7 +27,7 @@ const MORE: readonly FileKind[] = [
 
 /** The wire to take along: a link, or a file. */
 @customElement("save-panel")
-export class SavePanel extends LitElement {
+export class SavePanel extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
   /** Takes the picture of the stage. */

@@ -1,7 +1,8 @@
-import { css, html, LitElement, nothing } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow, SettingsTable, SettingValues } from "../engine/protocol";
 import type { Studio } from "../state/studio";
+import { Part } from "../view/part";
 import { foldStyle } from "./fold";
 import { icons } from "./icons";
 import "./setting-control";
@@ -13,7 +14,7 @@ const ELSEWHERE: readonly string[] = ["preset", "bend"];
 
 /** Every setting of the core's table, folded in groups. What is slotted in stands before Expert. */
 @customElement("settings-panel")
-export class SettingsPanel extends LitElement {
+export class SettingsPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) table: SettingsTable | null = null;
   /** What differs from the preset. */

@@ -1,9 +1,10 @@
-import { css, html, LitElement } from "lit";
+import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { RunEvent, Snapshot } from "../engine/protocol";
 import type { Studio, StudioState } from "../state/studio";
 import { count } from "../view/count";
 import { eventWords } from "../view/event-words";
+import { Part } from "../view/part";
 import { icons } from "./icons";
 import { controls } from "./shared";
 
@@ -11,7 +12,7 @@ const SHOWN_EACH_MS = 50;
 
 /** The run as time: back to any wire it went through, on from there, and the whole of it as a film. */
 @customElement("time-line")
-export class TimeLine extends LitElement {
+export class TimeLine extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
   @state() private playing = false;

@@ -1,6 +1,7 @@
-import { css, html, LitElement } from "lit";
+import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Studio, StudioState } from "../state/studio";
+import { Part } from "../view/part";
 import { icons } from "./icons";
 import { controls } from "./shared";
 import { chooseTheme, theme, THEMES, type Theme } from "./theme";
@@ -9,7 +10,7 @@ const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", 
 
 /** Name, undo, redo, sharing, colours and help. Fires `share` and `help`. */
 @customElement("top-bar")
-export class TopBar extends LitElement {
+export class TopBar extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
   @state() private theme = theme();

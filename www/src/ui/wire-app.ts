@@ -113,6 +113,12 @@ export class WireApp extends LitElement {
     void this.studio.begin(location.hash);
   }
 
+  /** Once a frame: a run changes its state more often than anybody sees. */
+  protected override async scheduleUpdate(): Promise<void> {
+    if (this.hasUpdated && !document.hidden) await new Promise(requestAnimationFrame);
+    super.scheduleUpdate();
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.ending.abort();

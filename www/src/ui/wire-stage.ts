@@ -1,9 +1,10 @@
-import { css, html, LitElement, nothing, svg, type PropertyValues, type TemplateResult } from "lit";
+import { css, html, nothing, svg, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import { LOOK_NAMES, lookOf, type LookName } from "../embed/looks";
 import type { WireShape } from "../embed/shape";
 import { Stage, StageUnavailable, type ViewName } from "../embed/stage";
+import { Part } from "../view/part";
 import { controls } from "./shared";
 import { isDark } from "./theme";
 
@@ -43,7 +44,7 @@ interface ButtonState {
  * `{ look, room }` when they change how the wire looks.
  */
 @customElement("wire-stage")
-export class WireStage extends LitElement {
+export class WireStage extends Part {
   @property() look: LookName = "copper";
   /** Off: the wire alone. */
   @property({ type: Boolean }) room = true;

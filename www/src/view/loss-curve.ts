@@ -1,14 +1,15 @@
-import { css, html, LitElement, nothing, svg } from "lit";
+import { css, html, nothing, svg } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { RunEvent } from "../engine/protocol";
 import { curve } from "./curve";
+import { Part } from "./part";
 
 const WIDTH = 240;
 const HEIGHT = 56;
 
 /** How far the views are from their drawings, falling as the run goes on, with a mark for everything that happened. */
 @customElement("loss-curve")
-export class LossCurve extends LitElement {
+export class LossCurve extends Part {
   /** [iteration, loss] */
   @property({ attribute: false }) losses: readonly (readonly [number, number])[] = [];
   @property({ attribute: false }) events: readonly RunEvent[] = [];

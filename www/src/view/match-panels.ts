@@ -1,9 +1,10 @@
-import { css, html, LitElement, type PropertyValues } from "lit";
+import { css, html, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { samplesPerSpan, sampleWire, type Samples, type WireShape } from "../embed/shape";
+import { Sampler, samplesPerSpan, type Samples, type WireShape } from "../embed/shape";
 import type { Target, View } from "../engine/protocol";
 import { percent } from "../state/words";
 import { paintInk, paintWire } from "./paint";
+import { Part } from "./part";
 
 const SIZE_PX = 192;
 const SAMPLES = 1600;
@@ -19,10 +20,11 @@ const UNKNOWN: readonly Match[] = ["front", "side", "top"].map((name) => ({ name
 
 /** One small picture a view: the drawing in copper, the wire over it. Copper that is left over is missing from the wire. */
 @customElement("match-panels")
-export class MatchPanels extends LitElement {
+export class MatchPanels extends Part {
   @property({ attribute: false }) views: readonly View[] = [];
   @property({ attribute: false }) targets: readonly Target[] = [];
   @property({ attribute: false }) found: readonly Match[] = [];
+  private readonly sampler = new Sampler();
   private samples: Samples | null = null;
   private readonly inks = new Map<string, HTMLCanvasElement>();
   private next = 0;
@@ -97,7 +99,7 @@ export class MatchPanels extends LitElement {
 
   /** Repaints one view a frame, so that three never weigh on the same one. */
   setWire(wire: WireShape | null): void {
-    this.samples = wire && sampleWire(wire, samplesPerSpan(wire, SAMPLES));
+    this.samples = wire && this.sampler.sample(wire, samplesPerSpan(wire, SAMPLES));
     this.repaint();
   }
 

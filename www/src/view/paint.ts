@@ -10,7 +10,8 @@ export function paintInk(canvas: HTMLCanvasElement, ink: Ink, colour: string, st
   canvas.height = ink.height;
   const context = canvas.getContext("2d")!;
   const pixels = context.createImageData(ink.width, ink.height);
-  for (let i = 0; i < ink.ink.length; i++) pixels.data[4 * i + 3] = strength * ink.ink[i]!;
+  const { data } = pixels;
+  for (let i = 0; i < ink.ink.length; i++) data[4 * i + 3] = strength * ink.ink[i]!;
   context.putImageData(pixels, 0, 0);
   context.globalCompositeOperation = "source-in";
   context.fillStyle = colour;

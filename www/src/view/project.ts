@@ -5,7 +5,6 @@ import type { Samples } from "../embed/shape";
 
 type Vec3 = readonly [number, number, number];
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a: Vec3, b: Vec3): Vec3 => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a: Vec3): Vec3 => {
   const length = Math.hypot(...a) || 1;
@@ -21,13 +20,17 @@ export function project(samples: Samples, view: View, height_px: number): Float3
   const perspective = view.projection === "perspective";
   const origin = perspective ? view.eye : view.target;
   const scale = perspective ? height_px / 2 / Math.tan((view.fov_y_rad ?? 1) / 2) : height_px / (view.height_world ?? 2);
-  const out = new Float32Array(samples.count * 3);
-  for (let i = 0; i < samples.count; i++) {
-    const p = minus([samples.points[4 * i]!, samples.points[4 * i + 1]!, samples.points[4 * i + 2]!], origin);
-    const k = perspective ? scale / Math.max(1e-3, dot(forward, p)) : scale;
-    out[3 * i] = (height_px * aspect) / 2 + k * dot(right, p);
-    out[3 * i + 1] = height_px / 2 - k * dot(up, p);
-    out[3 * i + 2] = k * samples.points[4 * i + 3]!;
+  const { count, points } = samples;
+  const out = new Float32Array(count * 3);
+  // Written out, since it is done for thousands of samples a frame.
+  for (let i = 0; i < count; i++) {
+    const x = points[4 * i]! - origin[0];
+    const y = points[4 * i + 1]! - origin[1];
+    const z = points[4 * i + 2]! - origin[2];
+    const k = perspective ? scale / Math.max(1e-3, forward[0] * x + forward[1] * y + forward[2] * z) : scale;
+    out[3 * i] = (height_px * aspect) / 2 + k * (right[0] * x + right[1] * y + right[2] * z);
+    out[3 * i + 1] = height_px / 2 - k * (up[0] * x + up[1] * y + up[2] * z);
+    out[3 * i + 2] = k * points[4 * i + 3]!;
   }
   return out;
 }
