@@ -133,7 +133,7 @@ function pulled(run: wasm.Run): CoreRun {
     },
     step: (count) => JSON.parse(run.step(count)) as RunEvent[],
     frame,
-    snapshot: () => ({ ...frame(), checkpoint: own(run.checkpoint()) }),
+    snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),
     finish: () => taken(run.finish(), finished),
     free: () => run.free(),

@@ -134,8 +134,8 @@ export interface Snapshot {
   readonly iterations: number;
   readonly loss: number;
   readonly wire: WireShape;
-  /** The run's whole state: the worker's own format. */
-  readonly checkpoint: Uint8Array<ArrayBuffer>;
+  /** The run's whole state: the worker's own format. A blob, since it is large and only ever handed on. */
+  readonly checkpoint: Blob;
 }
 
 /** A finished wire, or one from a link or file: what can be shown, measured and saved. */
@@ -206,7 +206,7 @@ export interface Calls {
   /** What two or three drawings come to before a run. */
   preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
   /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same drawings. */
-  run: { arguments: { drawings: readonly Drawing[]; settings: SettingValues; from: Uint8Array<ArrayBuffer> | null }; answer: Finished };
+  run: { arguments: { drawings: readonly Drawing[]; settings: SettingValues; from: Blob | null }; answer: Finished };
   /** A share code, or the bytes of a wire.json with its name. */
   open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
   /** A wire.json in another format; `view` is the name of the view an SVG draws. */

@@ -20,7 +20,7 @@ function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0) {
       return this.iteration === iterations ? [{ iteration: iterations, kind: "done" as const, count: 1 }] : [];
     },
     frame: () => ({ wire: wire(), iteration: run.iteration, iterations, loss: 1 }),
-    snapshot: () => ((clock += snapshotMs), { ...run.frame(), checkpoint: new Uint8Array(4) }),
+    snapshot: () => ((clock += snapshotMs), { ...run.frame(), checkpoint: new Blob() }),
     targets: () => [],
     finish: () => {
       throw new Error("not in this test");

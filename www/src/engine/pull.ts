@@ -93,7 +93,7 @@ export class Pull {
     if (run.iteration === this.snapped.iteration) return;
     const before = performance.now();
     const snapshot = run.snapshot();
-    this.tell({ news: "snapshot", snapshot }, [snapshot.checkpoint.buffer, ...buffers(snapshot.wire)]);
+    this.tell({ news: "snapshot", snapshot }, buffers(snapshot.wire));
     this.snapped = { iteration: run.iteration, ms: this.snapped.ms + performance.now() - before };
   }
 }

@@ -22,7 +22,8 @@ async function run({ drawings, settings, from }: Calls["run"]["arguments"]): Pro
   // Made before the core is loaded: it hears a stop that comes meanwhile.
   const mine = (pull = new Pull(tell));
   try {
-    const session = (await loaded()).start(drawings, settings, from, {
+    const checkpoint = from && new Uint8Array(await from.arrayBuffer());
+    const session = (await loaded()).start(drawings, settings, checkpoint, {
       tell: (words, share) => tell({ news: "progress", words, share }),
       note: (words) => tell({ news: "note", words }),
     });

@@ -102,7 +102,16 @@ function movedLayer(layer: Layer, lay: Lay): Layer {
 }
 
 export function isBlank(paper: Paper | null): boolean {
-  return !paper || paper.layers.length === 0 || compose(paper).every((value) => value < FAINT);
+  if (!paper || paper.layers.length === 0) return true;
+  const ink = compose(paper);
+  let blank = blanks.get(ink);
+  if (blank === undefined) blanks.set(ink, (blank = isFaint(ink)));
+  return blank;
+}
+
+function isFaint(ink: Uint8Array): boolean {
+  for (let i = 0; i < ink.length; i++) if (ink[i]! >= FAINT) return false;
+  return true;
 }
 
 /** The paper as it goes into a run, by the name of its pad. */
@@ -110,6 +119,8 @@ export function drawingOf(paper: Paper, name: string): Drawing {
   return { name, width: PAPER_PX, height: PAPER_PX, ink: compose(paper) };
 }
 
+/** Of composed sheets, whether they are blank: asked for again and again. */
+const blanks = new WeakMap<Uint8Array, boolean>();
 /** The last sheets that were composed, newest first. Few: each is 256 kB, and undo keeps papers by the hundred. */
 const composed: { readonly layers: readonly Layer[]; readonly ink: Uint8Array<ArrayBuffer> }[] = [];
 const MOST_COMPOSED = 12;

@@ -48,7 +48,8 @@ export class Previewer {
     if (before && before.papers === doc.papers && before.settings === doc.settings) return;
     this.wanted = doc;
     clearTimeout(this.timer);
-    if (sheetsOf(doc).length < 2) {
+    // Whether one of them is blank is seen later: this is called while somebody waits.
+    if (SLOTS.filter((slot) => doc.papers[slot]).length < 2) {
       this.shownPapers = null;
       this.show(NO_PREVIEW);
       return;
@@ -67,6 +68,12 @@ export class Previewer {
     this.working = true;
     const doc = this.wanted!;
     const sheets = sheetsOf(doc);
+    if (sheets.length < 2) {
+      this.working = false;
+      this.shownPapers = null;
+      this.show(NO_PREVIEW);
+      return;
+    }
     const current = (): boolean => this.wanted === doc;
     try {
       const preview = await this.ask(sheets.map(({ slot, paper }) => drawingOf(paper, slot)), doc.settings);

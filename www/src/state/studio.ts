@@ -8,6 +8,7 @@ import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
 import { exampleCode, examplePapers } from "./example";
 import { sortFiles } from "./files";
 import { known, presetOf, problemWith, readFragment, writeFragment } from "./fragment";
+import { nextTask } from "./next-task";
 import { mirrored, turned, type Paper, type PictureLayer } from "./paper";
 import { readPicture } from "./picture";
 import { NO_PROJECT, Project, type ProjectState } from "./project";
@@ -313,6 +314,7 @@ export class Studio {
       // Unless the person was quicker.
       if (this.busy || this.store.get().undo !== null) return;
       this.project.replace({ papers });
+      await nextTask();
       this.openCode(code, "example");
     } catch (error) {
       this.warn(explain(error, "The example"));

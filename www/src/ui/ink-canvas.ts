@@ -4,6 +4,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../engine/protocol";
 import { PAPER_PX } from "../state/paper";
+import { PLAIN } from "../view/paint";
 import { Part } from "../view/part";
 import { controls } from "./shared";
 
@@ -248,36 +249,38 @@ function paintSheet(canvas: HTMLCanvasElement, ink: Ink | null, missing: Ink | n
   canvas.width = ink?.width ?? PAPER_PX;
   canvas.height = ink?.height ?? PAPER_PX;
   if (!ink) return;
-  const context = canvas.getContext("2d")!;
+  const { width, height } = ink;
+  const context = canvas.getContext("2d", PLAIN)!;
+  const pixels = context.createImageData(width, height);
+  const { data } = pixels;
   const lost = missing?.ink.length === ink.ink.length ? missing.ink : null;
-  const { kept, hatched } = lost ? hatch(ink, lost) : { kept: ink.ink, hatched: null };
-  context.drawImage(tinted(ink, kept, colour), 0, 0);
-  if (hatched) context.drawImage(tinted(ink, hatched, amber), 0, 0);
-}
-
-/** The ink that can be shown, and the hatching of what cannot. */
-function hatch({ ink, width, height }: Ink, lost: Uint8Array): { kept: Uint8Array; hatched: Uint8Array } {
-  const [kept, hatched] = [new Uint8Array(ink.length), new Uint8Array(ink.length)];
+  const [black, gold] = [rgbOf(colour), rgbOf(amber)];
   const unit = PAPER_PX / width;
   for (let y = 0, i = 0; y < height; y++) {
     for (let x = 0; x < width; x++, i++) {
-      const gone = lost[i]!;
-      kept[i] = ink[i]! - gone;
-      if (gone > 0) hatched[i] = ((x + y) * unit) % HATCH_PX < FILLED_PX ? gone : BETWEEN * gone;
+      const all = ink.ink[i]!;
+      if (all === 0) continue;
+      const gone = lost ? lost[i]! : 0;
+      const kept = all - gone;
+      const hatch = gone > 0 && ((x + y) * unit) % HATCH_PX < FILLED_PX ? gone : BETWEEN * gone;
+      const opacity = kept + hatch;
+      for (let c = 0; c < 3; c++) data[4 * i + c] = (black[c]! * kept + gold[c]! * hatch) / opacity;
+      data[4 * i + 3] = opacity;
     }
   }
-  return { kept, hatched };
+  context.putImageData(pixels, 0, 0);
 }
 
-function tinted({ width, height }: Ink, opacity: Uint8Array, colour: string): OffscreenCanvas {
-  const canvas = new OffscreenCanvas(width, height);
-  const context = canvas.getContext("2d")!;
-  const pixels = context.createImageData(width, height);
-  const { data } = pixels;
-  for (let i = 0; i < opacity.length; i++) data[4 * i + 3] = opacity[i]!;
-  context.putImageData(pixels, 0, 0);
-  context.globalCompositeOperation = "source-in";
-  context.fillStyle = colour;
-  context.fillRect(0, 0, width, height);
-  return canvas;
+const seen = new Map<string, Uint8ClampedArray>();
+/** Any colour of CSS as red, green and blue. */
+function rgbOf(colour: string): Uint8ClampedArray {
+  let rgb = seen.get(colour);
+  if (!rgb) {
+    const context = new OffscreenCanvas(1, 1).getContext("2d", PLAIN)!;
+    context.fillStyle = colour;
+    context.fillRect(0, 0, 1, 1);
+    rgb = context.getImageData(0, 0, 1, 1).data;
+    seen.set(colour, rgb);
+  }
+  return rgb;
 }

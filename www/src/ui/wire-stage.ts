@@ -4,6 +4,7 @@ import { keyed } from "lit/directives/keyed.js";
 import { LOOK_NAMES, lookOf, type LookName } from "../embed/looks";
 import type { WireShape } from "../embed/shape";
 import { Stage, StageUnavailable, type ViewName } from "../embed/stage";
+import { nextTask } from "../state/next-task";
 import { Part } from "../view/part";
 import { controls } from "./shared";
 import { isDark } from "./theme";
@@ -334,11 +335,12 @@ export class WireStage extends Part {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    if (!this.stage && !this.problem && this.isConnected) this.start();
+    if (!this.stage && !this.problem && this.isConnected) void nextTask().then(() => this.start());
     else if (changed.has("look") || changed.has("room")) this.relook();
   }
 
   private start(): void {
+    if (this.stage || this.problem || !this.isConnected) return;
     try {
       const worker = this.aside ? new Worker(new URL("../embed/backstage-worker.ts", import.meta.url), { type: "module", name: "stage" }) : null;
       const events = {

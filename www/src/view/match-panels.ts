@@ -3,10 +3,11 @@ import { customElement, property } from "lit/decorators.js";
 import { Sampler, samplesPerSpan, type Samples, type WireShape } from "../embed/shape";
 import type { Target, View } from "../engine/protocol";
 import { percent } from "../state/words";
-import { paintInk, paintWire } from "./paint";
+import { paintInk, paintWire, PLAIN } from "./paint";
 import { Part } from "./part";
 
 const SIZE_PX = 192;
+/** Fewer than on the stage: these are small. */
 const SAMPLES = 1600;
 
 /** How well a view matches, 0 to 1: the drawing as bent, and as given where that is something else. */
@@ -25,6 +26,7 @@ export class MatchPanels extends Part {
   @property({ attribute: false }) targets: readonly Target[] = [];
   @property({ attribute: false }) found: readonly Match[] = [];
   private readonly sampler = new Sampler();
+  private wire: WireShape | null = null;
   private samples: Samples | null = null;
   private readonly inks = new Map<string, HTMLCanvasElement>();
   private next = 0;
@@ -97,13 +99,13 @@ export class MatchPanels extends Part {
     return this.views.map(({ name }) => this.found.find((match) => match.name === name) ?? { name, share: null, asDrawn: null });
   }
 
-  /** Repaints one view a frame, so that three never weigh on the same one. */
   setWire(wire: WireShape | null): void {
-    this.samples = wire && this.sampler.sample(wire, samplesPerSpan(wire, SAMPLES));
+    this.wire = wire;
+    this.samples = null;
     this.repaint();
   }
 
-  repaint(): void {
+  /** One view a frame, so that three never weigh on the same one. */  repaint(): void {
     this.left = Math.max(1, this.views.length);
     this.frame ||= requestAnimationFrame(this.paintNext);
   }
@@ -132,7 +134,7 @@ export class MatchPanels extends Part {
   };
 
   private paintView(canvas: HTMLCanvasElement, view: View): void {
-    const context = canvas.getContext("2d")!;
+    const context = canvas.getContext("2d", PLAIN)!;
     const style = getComputedStyle(this);
     context.clearRect(0, 0, SIZE_PX, SIZE_PX);
     const target = this.targets.find((target) => target.view.name === view.name);
@@ -145,6 +147,7 @@ export class MatchPanels extends Part {
       }
       context.drawImage(ink, 0, 0, SIZE_PX, SIZE_PX);
     }
+    if (this.wire) this.samples ??= this.sampler.sample(this.wire, samplesPerSpan(this.wire, SAMPLES));
     if (this.samples) paintWire(context, this.samples, view, SIZE_PX, style.getPropertyValue("--ink"));
   }
 

@@ -4,11 +4,14 @@ import type { Samples } from "../embed/shape";
 import type { Ink, View } from "../engine/protocol";
 import { project } from "./project";
 
+/** Of small pictures: drawn by the processor, which is done before a graphics card has been asked. */
+export const PLAIN: CanvasRenderingContext2DSettings = { willReadFrequently: true };
+
 /** Ink as opacity of one colour, at the ink's own size. */
 export function paintInk(canvas: HTMLCanvasElement, ink: Ink, colour: string, strength = 1): void {
   canvas.width = ink.width;
   canvas.height = ink.height;
-  const context = canvas.getContext("2d")!;
+  const context = canvas.getContext("2d", PLAIN)!;
   const pixels = context.createImageData(ink.width, ink.height);
   const { data } = pixels;
   for (let i = 0; i < ink.ink.length; i++) data[4 * i + 3] = strength * ink.ink[i]!;
