@@ -11,12 +11,13 @@ const SIDE: usize = 64;
 
 /// A ring, a cross and a square's outline, which do not quite agree.
 fn drawings() -> Vec<Drawing> {
-    let inks: [(&str, fn(f64, f64) -> f64); 3] = [
+    type Distance = fn(f64, f64) -> f64;
+    let inks: [(&str, Distance); 3] = [
         ("Front", |x, y| ((x.hypot(y)) - 22.0).abs()),
         ("Side", |x, y| (x - y).abs().min((x + y).abs()).max((x.abs() - 22.0).max(0.0) * 4.0)),
         ("Top", |x, y| (x.abs().max((1.2 * y).abs()) - 20.0).abs()),
     ];
-    let byte = |ink: fn(f64, f64) -> f64, i: usize| {
+    let byte = |ink: Distance, i: usize| {
         let (x, y) = ((i % SIDE) as f64 + 0.5 - 32.0, (i / SIDE) as f64 + 0.5 - 32.0);
         (255.0 * (2.5 - ink(x, y)).clamp(0.0, 1.0)) as u8
     };
