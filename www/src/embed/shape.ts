@@ -23,9 +23,9 @@ export interface Samples {
 
 const DEGREE = 3;
 
-/** Samples a span so that there are about `total` in all: from 2, which still looks smooth where spans are many, to 8. */
-export function samplesPerSpan(wire: WireShape, total: number): number {
-  return Math.max(2, Math.min(8, Math.round(total / Math.max(1, wire.controlPoints.length / 4))));
+/** Samples a span so that there are about `total` in all: at least 2, which look smooth where spans are many, and at most 8. */
+export function samplesPerSpan(wire: WireShape, total: number, least = 2): number {
+  return Math.max(least, Math.min(8, Math.round(total / Math.max(1, wire.controlPoints.length / 4))));
 }
 
 /** What of sampling depends on the knots alone, so that moving control points costs little. */

@@ -1,5 +1,6 @@
 /** Answers the page's calls, one worker a page. It keeps nothing but the run under way. */
 
+import { openShareCode } from "../embed/share/code";
 import { loaded } from "./core";
 import type { Answer, Calls, Control, Finished, News, Request } from "./protocol";
 import { Pull } from "./pull";
@@ -13,6 +14,7 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
   read: async ({ picture, reading }) => (await loaded()).read(picture, reading),
   preview: async ({ drawings, settings }) => (await loaded()).preview(drawings, settings),
   run,
+  peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
   export: async ({ file, format, view }) => (await loaded()).export(file, format, view),
 };

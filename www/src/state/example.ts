@@ -11,21 +11,24 @@ import { SLOTS, type Slot } from "./document";
 import { nextTask } from "./next-task";
 import { PAPER_PX, type Paper } from "./paper";
 
-const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
-  front: { url: front, label: "Cat" },
-  side: { url: side, label: "Bird" },
-  top: { url: top, label: "Fish" },
-};
-
 /** The longer side of a drawing on its sheet. */
 const FILLED_PX = 480;
+
+const DRAWINGS: Readonly<Record<Slot, { url: string; label: string; size: ImageBitmapOptions }>> = {
+  front: { url: front, label: "Cat", size: { resizeHeight: FILLED_PX } },
+  side: { url: side, label: "Bird", size: { resizeWidth: FILLED_PX } },
+  top: { url: top, label: "Fish", size: { resizeWidth: FILLED_PX } },
+};
 
 export async function exampleCode(): Promise<string> {
   return (await fetched(codeUrl)).text().then((text) => text.trim());
 }
 
 export async function examplePapers(): Promise<Record<Slot, Paper>> {
-  const bitmaps = SLOTS.map(async (slot) => createImageBitmap(await (await fetched(DRAWINGS[slot].url)).blob()));
+  const bitmaps = SLOTS.map(async (slot) => {
+    const { url, size } = DRAWINGS[slot];
+    return createImageBitmap(await (await fetched(url)).blob(), { ...size, resizeQuality: "high" });
+  });
   const papers: [Slot, Paper][] = [];
   for (const [i, slot] of SLOTS.entries()) {
     const bitmap = await bitmaps[i]!;
@@ -40,10 +43,7 @@ function paper(bitmap: ImageBitmap, label: string): Paper {
   const context = new OffscreenCanvas(PAPER_PX, PAPER_PX).getContext("2d", { willReadFrequently: true })!;
   context.fillStyle = "#fff";
   context.fillRect(0, 0, PAPER_PX, PAPER_PX);
-  context.imageSmoothingQuality = "high";
-  const scale = FILLED_PX / Math.max(bitmap.width, bitmap.height);
-  const [width, height] = [bitmap.width * scale, bitmap.height * scale];
-  context.drawImage(bitmap, (PAPER_PX - width) / 2, (PAPER_PX - height) / 2, width, height);
+  context.drawImage(bitmap, Math.round((PAPER_PX - bitmap.width) / 2), Math.round((PAPER_PX - bitmap.height) / 2));
   bitmap.close();
   const { data } = context.getImageData(0, 0, PAPER_PX, PAPER_PX);
   const ink = new Uint8Array(PAPER_PX * PAPER_PX);

@@ -8,7 +8,6 @@ import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
 import { exampleCode, examplePapers } from "./example";
 import { sortFiles } from "./files";
 import { known, presetOf, problemWith, readFragment, writeFragment } from "./fragment";
-import { nextTask } from "./next-task";
 import { mirrored, turned, type Paper, type PictureLayer } from "./paper";
 import { readPicture } from "./picture";
 import { NO_PROJECT, Project, type ProjectState } from "./project";
@@ -94,10 +93,10 @@ export class Studio {
   /** Brings back what was kept, opens what the address asks for, or shows the example on a first visit. */
   async begin(hash: string): Promise<void> {
     // A link's wire is on the stage at once; into the document it comes as a step over what was kept.
-    const opened = this.openFragment(hash);
+    const opening = this.openFragment(hash);
     this.recalled = this.project.recall();
     this.offer(await this.recalled);
-    if (!opened && !this.doc.made && sheetsOf(this.doc).length === 0) await this.showExample();
+    if (!(await opening) && !this.doc.made && sheetsOf(this.doc).length === 0) await this.showExample();
     this.engine.call("settings", {}).then(
       (table) => this.learn(table),
       (error: unknown) => this.store.set({ problem: explain(error, "The engine") }),
@@ -197,7 +196,7 @@ export class Studio {
   takeText(text: string): void {
     if (this.busy || !text.trim()) return;
     const hash = /#\S*\bw=\S+/.exec(text)?.[0];
-    if (hash) this.openFragment(hash);
+    if (hash) void this.openFragment(hash);
     else this.warn("That was text. To make a wire of a word, open a pad, choose Type and write it there.");
   }
 
@@ -295,7 +294,7 @@ export class Studio {
   // Opening
 
   /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
-  openFragment(hash: string): boolean {
+  async openFragment(hash: string): Promise<boolean> {
     const { code, settings, newer } = readFragment(hash);
     this.warn("");
     if (newer) {
@@ -314,8 +313,7 @@ export class Studio {
       // Unless the person was quicker.
       if (this.busy || this.store.get().undo !== null) return;
       this.project.replace({ papers });
-      await nextTask();
-      this.openCode(code, "example");
+      await this.openCode(code, "example");
     } catch (error) {
       this.warn(explain(error, "The example"));
     }
@@ -463,17 +461,19 @@ export class Studio {
   }
 
   /** Shows the wire at once; the worker measures it when it comes to that. */
-  private openCode(code: string, source: "link" | "example"): boolean {
+  private async openCode(code: string, source: "link" | "example"): Promise<boolean> {
+    this.opening = true;
     try {
-      const { wire, views } = openShareCode(code);
+      // Read aside, to keep nobody waiting; here where there is no worker, or to hear what is wrong.
+      const { wire, views } = await this.engine.call("peek", { code }).catch(() => openShareCode(code));
       this.showWire(wire);
       this.store.set({ views, targets: [], track: null, looking: null });
     } catch (error) {
+      this.opening = false;
       if (!(error instanceof ShareCodeError)) throw error;
       this.warn(asSentence(error.message));
       return false;
     }
-    this.opening = true;
     void this.adopt(code, source);
     return true;
   }

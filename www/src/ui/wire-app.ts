@@ -2,31 +2,22 @@ import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../embed/looks";
 import { addressed } from "../state/address";
+import { nextTask } from "../state/next-task";
 import { SLOTS, Studio, type StudioState } from "../state/studio";
 import { layout, NARROW } from "./app-layout";
 import type { EditRequest } from "./drawing-pad";
-import "./drawing-pad";
 import "./drop-hint";
 import "./live-region";
 import type { LiveRegion } from "./live-region";
-import "./look-panel";
-import "./notice-list";
 import { pageTitle } from "./page-title";
+import { loadParts } from "./parts";
 import { remember, remembered } from "./remember";
-import "./remedy-list";
-import "./result-panel";
 import type { ResultPanel } from "./result-panel";
-import "./run-choices";
-import "./run-panel";
-import "./save-panel";
 import type { SavePanel } from "./save-panel";
-import "./settings-panel";
 import { controls } from "./shared";
 import { actionOf, isTaken, type Action } from "./shortcuts";
 import { tabs, tabsStyle, type Tab } from "./tabs";
-import "./time-line";
 import "./top-bar";
-import "./wire-stage";
 import type { WireStage } from "./wire-stage";
 
 interface LookChange {
@@ -96,13 +87,17 @@ export class WireApp extends LitElement {
   }
 
   protected override firstUpdated(): void {
+    void nextTask().then(loadParts).then(() => this.begin());
+  }
+
+  private begin(): void {
     const { signal } = this.ending;
     this.studio.store.follow((now) => this.follow(now));
     this.studio.followWire((wire) => {
       this.stage.setWire(wire);
       this.result.setWire(wire);
     });
-    addEventListener("hashchange", () => this.studio.openFragment(location.hash), { signal });
+    addEventListener("hashchange", () => void this.studio.openFragment(location.hash), { signal });
     addEventListener("paste", (event) => this.paste(event), { signal });
     addEventListener("keydown", (event) => this.press(event), { signal });
     addEventListener("pagehide", () => this.studio.save(), { signal });
@@ -115,7 +110,8 @@ export class WireApp extends LitElement {
 
   /** Once a frame: a run changes its state more often than anybody sees. */
   protected override async scheduleUpdate(): Promise<void> {
-    if (this.hasUpdated && !document.hidden) await new Promise(requestAnimationFrame);
+    if (!this.hasUpdated) await nextTask();
+    else if (!document.hidden) await new Promise(requestAnimationFrame);
     super.scheduleUpdate();
   }
 

@@ -28,6 +28,9 @@ export class MatchPanels extends Part {
   private readonly sampler = new Sampler();
   private wire: WireShape | null = null;
   private samples: Samples | null = null;
+  /** Whether the samples are of an older wire; whether the last step made them. */
+  private stale = false;
+  private sampled = false;
   private readonly inks = new Map<string, HTMLCanvasElement>();
   private next = 0;
   private left = 0;
@@ -101,11 +104,11 @@ export class MatchPanels extends Part {
 
   setWire(wire: WireShape | null): void {
     this.wire = wire;
-    this.samples = null;
+    this.stale = true;
     this.repaint();
   }
 
-  /** One view a frame, so that three never weigh on the same one. */  repaint(): void {
+  /** One step a frame, so that none weighs on another: sampling the wire, and each view. */  repaint(): void {
     this.left = Math.max(1, this.views.length);
     this.frame ||= requestAnimationFrame(this.paintNext);
   }
@@ -125,12 +128,21 @@ export class MatchPanels extends Part {
 
   private readonly paintNext = (): void => {
     this.frame = 0;
-    const canvases = this.renderRoot.querySelectorAll("canvas");
-    const index = this.next++ % Math.max(1, this.views.length);
-    const view = this.views[index];
-    const canvas = canvases[index];
-    if (view && canvas) this.paintView(canvas, view);
-    if (--this.left > 0) this.frame = requestAnimationFrame(this.paintNext);
+    // Never twice in a row: where a wire comes every frame, there has to be time to paint one.
+    if (this.stale && !this.sampled) {
+      this.samples = this.wire && this.sampler.sample(this.wire, samplesPerSpan(this.wire, SAMPLES, 1));
+      this.stale = false;
+      this.sampled = true;
+    } else {
+      this.sampled = false;
+      const canvases = this.renderRoot.querySelectorAll("canvas");
+      const index = this.next++ % Math.max(1, this.views.length);
+      const view = this.views[index];
+      const canvas = canvases[index];
+      if (view && canvas) this.paintView(canvas, view);
+      this.left--;
+    }
+    if (this.left > 0) this.frame = requestAnimationFrame(this.paintNext);
   };
 
   private paintView(canvas: HTMLCanvasElement, view: View): void {
@@ -147,7 +159,6 @@ export class MatchPanels extends Part {
       }
       context.drawImage(ink, 0, 0, SIZE_PX, SIZE_PX);
     }
-    if (this.wire) this.samples ??= this.sampler.sample(this.wire, samplesPerSpan(this.wire, SAMPLES));
     if (this.samples) paintWire(context, this.samples, view, SIZE_PX, style.getPropertyValue("--ink"));
   }
 

@@ -1,0 +1,3 @@
+import "./notice-list";
+import "./time-line";
+import "./wire-stage";
