@@ -5,7 +5,7 @@ import type { WireShape } from "../embed/shape";
 import { EngineClient, Problem } from "../engine/client";
 import type { Drawing, ExportFormat, Finished, Picture, Reading, SettingsTable, SettingValues } from "../engine/protocol";
 import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
-import { exampleCode, examplePapers } from "./example";
+import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example";
 import { sortFiles } from "./files";
 import { known, presetOf, problemWith, readFragment, writeFragment } from "./fragment";
 import { mirrored, turned, type Paper, type PictureLayer } from "./paper";
@@ -456,8 +456,8 @@ export class Studio {
 
   private offer(track: Track | null): void {
     this.cutOff = track;
-    const iteration = track?.snapshots.at(-1)?.iteration ?? 0;
-    this.store.set({ unfinished: track && { iteration, iterations: track.iterations } });
+    const { iteration = 0, iterations = 0 } = track?.snapshots.at(-1) ?? {};
+    this.store.set({ unfinished: track && { iteration, iterations } });
   }
 
   /** Shows the wire at once; the worker measures it when it comes to that. */
@@ -504,11 +504,9 @@ export class Studio {
   private opened(finished: Finished, source: Made["source"], label: string): void {
     if (this.busy) return;
     const made: Made = { finished, source, track: null, stopped: false, seconds: 0 };
-    if (source === "example") {
-      this.project.replace({ made });
-    } else {
-      this.edit(label, { made });
-    }
+    if (source !== "example") return this.edit(label, { made });
+    const measures = { ...finished.measures, views: EXAMPLE_VIEWS };
+    this.project.replace({ made: { ...made, finished: { ...finished, measures } } });
   }
 }
 

@@ -73,7 +73,9 @@ export class NoticeList extends Part {
       ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
       ${unfinished && phase === "idle"
         ? this.notice(
-            `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`,
+            unfinished.iterations > 0
+              ? `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`
+              : "A run was cut off before its first wire.",
             html`<button class="primary" @click=${() => void this.studio.continueUnfinished()}>Go on</button>
               <button @click=${() => this.studio.dropUnfinished()}>Leave it</button>`,
           )

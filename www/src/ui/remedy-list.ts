@@ -1,11 +1,11 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { BendPreview } from "../engine/protocol";
-import type { PadRemedy } from "../state/previewer";
-import type { Studio, StudioState } from "../state/studio";
+import type { PadRemedy, PreviewBySlot } from "../state/previewer";
+import { SLOTS, type Studio, type StudioState } from "../state/studio";
 import { percent } from "../state/words";
 import { Part } from "../view/part";
-import { AS_GOOD_AS_ALL } from "./drawing-pad";
+import { AS_GOOD_AS_ALL, movedBy } from "./drawing-pad";
 import { icons } from "./icons";
 import { controls } from "./shared";
 
@@ -70,6 +70,14 @@ export class RemedyList extends Part {
         text-align: start;
         line-height: 1.25;
       }
+      .arranged button {
+        display: inline;
+        width: auto;
+        min-height: 24px;
+        padding: 2px 0;
+        color: var(--copper-text);
+        text-decoration: underline;
+      }
       button .words {
         flex: 1;
         min-width: 0;
@@ -123,6 +131,7 @@ export class RemedyList extends Part {
       ${now >= AS_GOOD_AS_ALL
         ? html`<p class="sum">${icons.check}All of the ink can be shown.</p>`
         : html`<p class="sum some"><span>Only <strong>${percent(now)}</strong> of the ink can be shown together.</span></p>`}
+      ${this.arranged(preview, locked)}
       ${remedies.length > 0 ? html`<ul aria-label="What would help">${remedies.map((remedy) => this.remedy(remedy, now, locked))}</ul>` : nothing}
       ${bends.length > 1 && now < AS_GOOD_AS_ALL ? html`<ul aria-label="Bending">${bends.map((bend) => this.bend(bend, locked))}</ul>` : nothing}
       ${preview.notes.map((note) => html`<p class="small quiet">${note}</p>`)}
@@ -131,6 +140,16 @@ export class RemedyList extends Part {
 
   private only(words: string): TemplateResult {
     return html`<section aria-label=${NAME}><p class="sum small quiet">${words}</p></section>`;
+  }
+
+  /** What arranging has gained, and the way back. */
+  private arranged({ asGiven, coverable, drawings }: PreviewBySlot, locked: boolean): TemplateResult | typeof nothing {
+    const moved = SLOTS.some((slot) => drawings[slot] && movedBy(slot, drawings[slot]!));
+    if (!moved || this.studio.value("arrange") !== "on") return nothing;
+    return html`<p class="arranged small quiet">
+      <span>Arranged for you: ${percent(asGiven)} → ${percent(coverable)}.</span>
+      <button class="plain small" ?disabled=${locked} @click=${() => this.studio.set("arrange", "off")}>Keep as I put them</button>
+    </p>`;
   }
 
   private remedy(remedy: PadRemedy, now: number, locked: boolean): TemplateResult {
@@ -145,7 +164,7 @@ export class RemedyList extends Part {
 
   private bend(choice: BendPreview, locked: boolean): TemplateResult {
     const { bend, coverable, likeness, movedPx } = choice;
-    const price = bend === "none" || likeness === null ? "" : `Drawings keep ${percent(likeness)} likeness, ink moves ${(movedPx ?? 0).toFixed(1)} px`;
+    const price = bend === "none" || likeness === null ? "" : `Ink moves by ${(movedPx ?? 0).toFixed(1)} of 256 px; ${percent(likeness)} matches what was drawn`;
     return html`<li>
       <button
         class="small"

@@ -103,7 +103,7 @@ export class ResultPanel extends Part {
     if (looking !== null) return "Looking back: numbers are for the finished wire.";
     if (phase !== "idle") return notes.join(" ");
     if (!made) return "";
-    return made.source === "example" ? "What the wire shows from each side. Make it again to watch how it gets there, and how well it matches." : verdict(made);
+    return made.source === "example" ? "Three pictures in one wire. Make it again to watch how it gets there." : verdict(made);
   }
 
   private numbers(made: Made | null): readonly (readonly [name: string, value: string])[] {

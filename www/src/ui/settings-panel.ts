@@ -9,8 +9,8 @@ import "./setting-control";
 import { GROUPS, WORDS } from "./setting-words";
 import { controls } from "./shared";
 
-/** These stand beside Run. */
-const ELSEWHERE: readonly string[] = ["preset", "bend"];
+/** The first two stand beside Run, ink is found pad by pad, and there is one engine to compute on. */
+const ELSEWHERE: readonly string[] = ["preset", "bend", "ink", "backend"];
 
 /** Every setting of the core's table, folded in groups. What is slotted in stands before Expert. */
 @customElement("settings-panel")

@@ -171,11 +171,22 @@ describe("before a run", () => {
     expect(Math.abs(got - promised)).toBeLessThanOrEqual(1);
   });
 
+  it("says what arranging gained, and puts the drawings back on request", async () => {
+    await previewed(page);
+    const arranged = page.locator("remedy-list .arranged");
+    const [before, after] = [...(await arranged.textContent())!.matchAll(/(\d+)%/g)].map(([, share]) => Number(share));
+    expect(after).toBeGreaterThan(before!);
+    await arranged.getByRole("button").click();
+    await previewed(page);
+    expect(parseInt(/(\d+)%/.exec((await page.locator("remedy-list .sum").textContent())!)![1]!)).toBe(before);
+    expect(await page.locator("remedy-list ul[aria-label='What would help'] button", { hasText: "Arrange for me" }).count()).toBe(1);
+  });
+
   it("offers to bend, with the match both ways", async () => {
     for (const [i, side] of ["front", "side", "top"].entries()) await give(page, i, join(DRAWINGS, "t07-outlines", `${side}.png`));
     await previewed(page);
     const freely = page.locator("remedy-list ul[aria-label=Bending] button", { hasText: /free/i });
-    expect(await freely.textContent()).toMatch(/\d+%.*likeness|likeness.*\d+%/s);
+    expect(await freely.textContent()).toMatch(/\d+\.\d of 256 px; \d+% matches what was drawn/);
     await freely.click();
     expect(await freely.getAttribute("aria-pressed")).toBe("true");
     expect(await page.locator("input[name=bend][value=free]").isChecked()).toBe(true);

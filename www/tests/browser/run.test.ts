@@ -92,7 +92,6 @@ it("pauses, steps one by one, and goes on", async () => {
 });
 
 it("looks back at the wires of a run, and goes on from one of them", async () => {
-  await choose(page, "preset", "fast");
   await runButton(page).click();
   await phase("running");
   await expect.poll(looked, { timeout: 60_000 }).toBeGreaterThan(40);
@@ -103,6 +102,12 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   expect(await looked()).toBeLessThan(30);
   await shoot(page, "looking-back");
   await page.getByRole("button", { name: "Go on", exact: true }).click();
+  await expect.poll(looked).toBeGreaterThan(30);
+  await button("Reset").click();
+  await idle(page);
+  await choose(page, "preset", "fast");
+  await runButton(page).click();
+  await phase("running");
   await idle(page);
   expect(await looked()).toBe(220);
   const full = await page.locator("[data-view=front]").textContent();
