@@ -1,0 +1,124 @@
+/** The stage: what is seen on it, drawn in a worker or, where that is not possible, in the page. */
+
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { launch, serveDist, visit, type Site, type VisitOptions } from "./browser";
+
+let browser: Browser;
+let site: Site;
+
+beforeAll(async () => {
+  browser = await launch();
+  site = await serveDist("/");
+});
+afterAll(async () => {
+  await browser.close();
+  site.server.close();
+});
+
+/** Share of a picture's pixels that are copper, however it is lit. */
+function copperIn(page: Page, png: string): Promise<number> {
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes]));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d")!;
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let copper = 0;
+    for (let i = 0; i < data.length; i += 4) copper += data[i]! - data[i + 1]! > 25 && data[i]! - data[i + 2]! > 50 ? 1 : 0;
+    return copper / (data.length / 4);
+  }, png);
+}
+
+const canvas = (page: Page) => page.locator("wire-stage canvas");
+const seen = (page: Page): Promise<Buffer> => canvas(page).screenshot();
+const copper = async (page: Page): Promise<number> => copperIn(page, (await seen(page)).toString("base64"));
+
+/** The stage has drawn the wire, and drawn it fine. */
+async function shown(page: Page): Promise<void> {
+  await expect.poll(() => copper(page), { timeout: 60_000 }).toBeGreaterThan(0.003);
+  await page.waitForTimeout(1500);
+}
+
+/** Writes down the stage's context as `lent`, to be taken away. */
+const LEND = `for (const { prototype } of [globalThis.HTMLCanvasElement, OffscreenCanvas].filter(Boolean)) {
+  const getContext = prototype.getContext;
+  prototype.getContext = function (kind, ...rest) {
+    const context = getContext.call(this, kind, ...rest);
+    if (kind === "webgl2") globalThis.lent = context.getExtension("WEBGL_lose_context");
+    return context;
+  };
+}`;
+
+/** A page whose context can be taken away by the script that comes with it. */
+async function lender(where: "worker" | "page"): Promise<{ page: Page; tell(script: string): Promise<unknown> }> {
+  const { page } = await visit(browser, "about:blank");
+  if (where === "page") {
+    await page.addInitScript(`delete HTMLCanvasElement.prototype.transferControlToOffscreen; ${LEND}`);
+  } else {
+    await page.route(/backstage-worker/, async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `${LEND}\n${await response.text()}` });
+    });
+  }
+  await page.goto(site.url);
+  const drawing = () => page.workers().find((worker) => /backstage-worker/.test(worker.url()))!;
+  return { page, tell: (script) => (where === "page" ? page.evaluate(script) : drawing().evaluate(script)) };
+}
+
+it("shows the example's wire in copper, and another picture from the front", async () => {
+  const { page, faults } = await visit(browser, site.url);
+  await shown(page);
+  const before = await seen(page);
+  await page.locator("wire-stage").getByRole("button", { name: "Front" }).click();
+  await expect.poll(async () => (await seen(page)).equals(before), { timeout: 20_000 }).toBe(false);
+  await shown(page);
+  expect(faults).toEqual([]);
+  await page.context().close();
+});
+
+it("shows no copper where there is no wire", async () => {
+  const { page } = await visit(browser, "about:blank");
+  await page.route("**/*.code", (route) => route.abort());
+  await page.goto(site.url);
+  // What lies over the stage has colours of its own.
+  await page.getByRole("button", { name: "Close this message" }).click();
+  await page.waitForTimeout(1500);
+  expect(await copper(page)).toBe(0);
+  await page.context().close();
+});
+
+describe.each(["worker", "page"] as const)("in a %s", (where) => {
+  it("takes a picture with the wire in it, and survives the loss of its context", async () => {
+    const { page, tell } = await lender(where);
+    await shown(page);
+    const picture = await page.locator("wire-stage").evaluate(async (element) => {
+      const blob = await (element as unknown as { picture(width: number, height: number): Promise<Blob> }).picture(800, 600);
+      let text = "";
+      for (const byte of new Uint8Array(await blob.arrayBuffer())) text += String.fromCharCode(byte);
+      return btoa(text);
+    });
+    expect(await copperIn(page, picture)).toBeGreaterThan(0.003);
+    await tell("lent.loseContext()");
+    const notice = page.locator("wire-stage .lost");
+    await notice.waitFor();
+    await tell("lent.restoreContext()");
+    await notice.waitFor({ state: "detached" });
+    await shown(page);
+    await page.context().close();
+  });
+});
+
+it("sways while nobody holds it, and never for people who asked for less motion", async () => {
+  const aSecondApart = async (options: VisitOptions): Promise<boolean> => {
+    const { page } = await visit(browser, site.url, options);
+    await shown(page);
+    const before = await seen(page);
+    await page.waitForTimeout(1000);
+    const same = (await seen(page)).equals(before);
+    await page.context().close();
+    return same;
+  };
+  expect(await aSecondApart({ reducedMotion: "reduce" })).toBe(true);
+  expect(await aSecondApart({ reducedMotion: "no-preference" })).toBe(false);
+});
