@@ -207,6 +207,8 @@ export interface Calls {
   preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
   /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same drawings. */
   run: { arguments: { drawings: readonly Drawing[]; settings: SettingValues; from: Blob | null }; answer: Finished };
+  /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
+  sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */
   peek: { arguments: { code: string }; answer: { wire: WireShape; views: readonly View[] } };
   /** A share code, or the bytes of a wire.json with its name. */

@@ -4,6 +4,7 @@ import { openShareCode } from "../embed/share/code";
 import { loaded } from "./core";
 import type { Answer, Calls, Control, Finished, News, Request } from "./protocol";
 import { Pull } from "./pull";
+import { sheetOf } from "./sheet";
 
 const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; please try again.";
 
@@ -14,6 +15,7 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
   read: async ({ picture, reading }) => (await loaded()).read(picture, reading),
   preview: async ({ drawings, settings }) => (await loaded()).preview(drawings, settings),
   run,
+  sheet: ({ drawing }) => sheetOf(drawing),
   peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
   export: async ({ file, format, view }) => (await loaded()).export(file, format, view),

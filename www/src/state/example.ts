@@ -3,6 +3,7 @@
  * (`wire4d multiview` over `example/`, then `wire4d share`), and how well it matches (`views` of its report). Read without the core, so that it is there at once.
  */
 
+import type { Ink } from "../engine/protocol";
 import front from "./example/front.png?url";
 import side from "./example/side.png?url";
 import top from "./example/top.png?url";
@@ -10,10 +11,9 @@ import codeUrl from "./example.code?url";
 import measured from "./example.json";
 import type { ViewMeasures } from "../engine/protocol";
 import { SLOTS, type Slot } from "./document";
-import { nextTask } from "./next-task";
-import { PAPER_PX, type Paper } from "./paper";
+import type { Paper } from "./paper";
 
-/** `tests/drawings/t01-animals`, each already on its sheet: scaling them here would keep a slow page busy. */
+/** `tests/drawings/t01-animals`, each already on its sheet. */
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
   front: { url: front, label: "Cat" },
   side: { url: side, label: "Bird" },
@@ -27,26 +27,14 @@ export async function exampleCode(): Promise<string> {
   return (await fetched(codeUrl)).text().then((text) => text.trim());
 }
 
-export async function examplePapers(): Promise<Record<Slot, Paper>> {
-  const bitmaps = SLOTS.map(async (slot) => createImageBitmap(await (await fetched(DRAWINGS[slot].url)).blob()));
-  const papers: [Slot, Paper][] = [];
-  for (const [i, slot] of SLOTS.entries()) {
-    const bitmap = await bitmaps[i]!;
-    await nextTask();
-    papers.push([slot, paper(bitmap, DRAWINGS[slot].label)]);
-  }
-  return Object.fromEntries(papers) as Record<Slot, Paper>;
-}
-
-/** Dark lines on white become ink; no finder is needed for drawings that we made ourselves. */
-function paper(bitmap: ImageBitmap, label: string): Paper {
-  const context = new OffscreenCanvas(PAPER_PX, PAPER_PX).getContext("2d", { willReadFrequently: true })!;
-  context.drawImage(bitmap, 0, 0);
-  bitmap.close();
-  const { data } = context.getImageData(0, 0, PAPER_PX, PAPER_PX);
-  const ink = new Uint8Array(PAPER_PX * PAPER_PX);
-  for (let i = 0; i < ink.length; i++) ink[i] = 255 - data[4 * i]!;
-  return { label, layers: [{ kind: "stamp", label, ink }] };
+/** `read` finds the ink of such a drawing. */
+export async function examplePapers(read: (drawing: Blob) => Promise<Ink>): Promise<Record<Slot, Paper>> {
+  const papers = SLOTS.map(async (slot): Promise<[Slot, Paper]> => {
+    const { url, label } = DRAWINGS[slot];
+    const { ink } = await read(await (await fetched(url)).blob());
+    return [slot, { label, layers: [{ kind: "stamp", label, ink }] }];
+  });
+  return Object.fromEntries(await Promise.all(papers)) as Record<Slot, Paper>;
 }
 
 async function fetched(url: string): Promise<Response> {

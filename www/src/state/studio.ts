@@ -4,6 +4,7 @@ import { openShareCode, ShareCodeError } from "../embed/share/code";
 import type { WireShape } from "../embed/shape";
 import { EngineClient, Problem } from "../engine/client";
 import type { Drawing, ExportFormat, Finished, Picture, Reading, SettingsTable, SettingValues } from "../engine/protocol";
+import { sheetOf } from "../engine/sheet";
 import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
 import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example";
 import { sortFiles } from "./files";
@@ -309,7 +310,9 @@ export class Studio {
 
   async showExample(): Promise<void> {
     try {
-      const [code, papers] = await Promise.all([exampleCode(), examplePapers()]);
+      // Aside, as codes are; here where there is no worker.
+      const read = (drawing: Blob) => this.engine.call("sheet", { drawing }).catch(() => sheetOf(drawing));
+      const [code, papers] = await Promise.all([exampleCode(), examplePapers(read)]);
       // Unless the person was quicker.
       if (this.busy || this.store.get().undo !== null) return;
       this.project.replace({ papers });

@@ -45,6 +45,9 @@ export const layout = css`
   main {
     display: contents;
   }
+  .coming {
+    visibility: hidden;
+  }
   live-region {
     position: fixed;
   }

@@ -10,7 +10,7 @@ import "./drop-hint";
 import "./live-region";
 import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
-import { loadParts } from "./parts";
+import { loadParts, rendered } from "./parts";
 import { remember, remembered } from "./remember";
 import type { ResultPanel } from "./result-panel";
 import type { SavePanel } from "./save-panel";
@@ -31,6 +31,8 @@ export class WireApp extends LitElement {
   private readonly studio = new Studio();
   private readonly narrow = matchMedia(NARROW);
   @state() private now: StudioState = this.studio.store.get();
+  /** Before, parts may still move as others come: they are not shown. */
+  @state() private opened = false;
   @state() private tab: Tab = "pictures";
   @state() private editing: EditRequest | null = null;
   @state() private look: LookChange = { look: (remembered("look") as LookName | null) ?? "copper", room: remembered("room") !== "off" };
@@ -50,7 +52,7 @@ export class WireApp extends LitElement {
     const idle = now.phase === "idle";
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
-      <main>
+      <main class=${this.opened ? "" : "coming"}>
         <div class="left">
           <section id="part-pictures" role=${this.panel()} aria-label="Pictures" ?hidden=${this.folded("pictures")} @open-editor=${this.openEditor}>
             ${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
@@ -87,7 +89,15 @@ export class WireApp extends LitElement {
   }
 
   protected override firstUpdated(): void {
-    void nextTask().then(loadParts).then(() => this.begin());
+    void this.open();
+  }
+
+  private async open(): Promise<void> {
+    await nextTask();
+    await loadParts();
+    await rendered(this.renderRoot);
+    this.opened = true;
+    this.begin();
   }
 
   private begin(): void {

@@ -3,7 +3,7 @@
 import { existsSync, readFileSync } from "node:fs";
 import { availableParallelism, loadavg } from "node:os";
 import { join } from "node:path";
-import type { ElementHandle, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { DIST, DRAWINGS, launch, serveDist, visit } from "../browser/browser";
 import { throttle, watchLongTasks, type LongTask } from "../browser/throttle";
 import type { Account, Row } from "./budget";
@@ -74,8 +74,8 @@ async function fastRun(slower: number, args: readonly string[]): Promise<Measure
     const load = await longTasks();
     // What it costs to fill in the drawings counts as part of the run.
     for (const [i, side] of ["front", "side", "top"].entries()) {
-      const field = await page.evaluateHandle(`${IN_APP}.querySelectorAll("drawing-pad")[${i}].shadowRoot.querySelector("input")`);
-      await (field as ElementHandle<HTMLInputElement>).setInputFiles(join(DRAWINGS, "t01-animals", `${side}.png`));
+      const field = await page.evaluateHandle<HTMLInputElement>(`${IN_APP}.querySelectorAll("drawing-pad")[${i}].shadowRoot.querySelector("input")`);
+      await field.asElement()!.setInputFiles(join(DRAWINGS, "t01-animals", `${side}.png`));
       await until(page, `!${inPart("drawing-pad", "section.busy")}`);
     }
     await page.waitForTimeout(SETTLED_MS);
