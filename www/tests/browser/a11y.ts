@@ -2,6 +2,8 @@
 
 import axe from "axe-core";
 import type { Page } from "playwright-core";
+import { expect } from "vitest";
+import { shoot } from "./browser";
 
 /** Serious and critical faults, a line each: the rule, what it asks for and the elements, through shadow roots. */
 export async function axeFaults(page: Page, exclude: readonly string[] = []): Promise<string[]> {
@@ -15,4 +17,10 @@ export async function axeFaults(page: Page, exclude: readonly string[] = []): Pr
   return violations
     .filter(({ impact }) => impact === "serious" || impact === "critical")
     .map(({ id, impact, help, targets }) => `${id} (${impact}): ${help}: ${targets.map((target) => target.flat().join(" >> ")).join(", ")}`);
+}
+
+/** Takes a picture of a state, to be looked at, and has axe look at it. */
+export async function inspect(page: Page, state: string): Promise<void> {
+  await shoot(page, state);
+  expect(await axeFaults(page)).toEqual([]);
 }

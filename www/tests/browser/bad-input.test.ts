@@ -5,7 +5,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { DRAWINGS, give, launch, pad, picture, runButton, serveDist, shoot, visit, type Site } from "./browser";
+import { inspect } from "./a11y";
+import { DRAWINGS, give, launch, pad, picture, runButton, serveDist, visit, type Site } from "./browser";
 import { dropFiles } from "./gestures";
 import { padsReady } from "./pads";
 
@@ -70,7 +71,7 @@ it("a file of 200 MB, before it is read", async () => {
   await file.truncate(200_000_000);
   await file.close();
   expect(await complaint(path, "enormous.png")).toContain("200 MB");
-  await shoot(page, "bad-input");
+  await inspect(page, "bad-input");
 });
 
 it("a film, a folder and fifty files, dropped on the page", async () => {
@@ -81,7 +82,7 @@ it("a film, a folder and fifty files, dropped on the page", async () => {
   await alert.filter({ hasText: "cat.mp4 is a film" }).waitFor();
   await dropFiles(page, stage, [join(DRAWINGS, "t01-animals")]);
   await alert.filter({ hasText: /t01-animals is a folder/ }).waitFor();
-  await shoot(page, "dropped-folder");
+  await inspect(page, "dropped-folder");
   expect(await Promise.all([0, 1, 2].map(shown))).toEqual(before);
   const cross = await picture(page, 100, 100, "cross");
   await dropFiles(page, stage, Array.from({ length: 50 }, (_, i) => ({ name: `picture-${i}.png`, buffer: cross })));

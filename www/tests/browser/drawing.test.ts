@@ -3,7 +3,8 @@
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
-import { choose, DRAWINGS, give, launch, pad, picture, serveDist, shoot, visit, type Site } from "./browser";
+import { inspect } from "./a11y";
+import { choose, DRAWINGS, give, launch, pad, picture, serveDist, visit, type Site } from "./browser";
 import { drawStroke, pasteFile } from "./gestures";
 import { hatchedOn, inkOn, padsReady, previewed } from "./pads";
 
@@ -75,7 +76,7 @@ describe("in the editor", () => {
     await editor().locator("input[name=tool][value=eraser]").check({ force: true });
     await drawStroke(page, large, [[0.5, 0.2], [0.5, 0.8]]);
     await expect.poll(() => inkOn(page, 1)).toBeLessThan(0.95 * thick);
-    await shoot(page, "editor-draw");
+    await inspect(page, "editor-draw");
     await editor().getByRole("button", { name: "Clear the sheet" }).click();
     await expect.poll(() => inkOn(page, 1)).toBe(0);
   });
@@ -91,7 +92,7 @@ describe("in the editor", () => {
     await expect.poll(() => editor().locator(".status").textContent()).toContain("Not on the sheet yet");
     await text.press("Enter");
     await expect.poll(() => pad(page, 0).locator(".line").innerText()).toMatch(/love|shown/);
-    await shoot(page, "editor-type");
+    await inspect(page, "editor-type");
     await text.fill("\u{1a20}\u{1a21}");
     await expect.poll(() => editor().locator(".status").textContent()).toContain("no letters");
     await editor().getByRole("button", { name: "Done" }).click();
@@ -106,12 +107,12 @@ describe("in the editor", () => {
     await button(/^Undo: Take the icon bike/).first().waitFor();
     await search.fill("qqqqzz");
     await editor().getByText("No icon for “qqqqzz”").waitFor();
-    await shoot(page, "editor-icons-none");
+    await inspect(page, "editor-icons-none");
     await search.fill("love");
     await editor().getByRole("button", { name: "heart", exact: true }).waitFor();
     await editor().getByText("Icons: Lucide, ISC licence").click();
     await editor().getByText(/Permission to use, copy, modify/).waitFor();
-    await shoot(page, "editor-icons");
+    await inspect(page, "editor-icons");
     await editor().getByRole("button", { name: "Done" }).click();
     await expect.poll(() => pad(page, 2).locator(".line").innerText()).toMatch(/bike|shown/);
   });
@@ -138,7 +139,7 @@ describe("in the editor", () => {
     await page.getByRole("menuitem", { name: "Set how dark ink is" }).click();
     await editor().locator("input[name=ink][value=dark]").check({ force: true });
     await expect.poll(() => inkOn(page, 0)).toBeLessThan(1.5 * dark);
-    await shoot(page, "editor-picture");
+    await inspect(page, "editor-picture");
   });
 });
 
@@ -160,7 +161,7 @@ describe("before a run", () => {
     await page.getByRole("menuitem", { name: "Turn left" }).click();
     await previewed(page);
     expect(await hatchedOn(page, 0)).toBeGreaterThan(0);
-    await shoot(page, "remedies");
+    await inspect(page, "remedies");
     const remedies = page.locator("remedy-list ul[aria-label='What would help'] button");
     await expect.poll(() => remedies.count()).toBeGreaterThan(0);
     const promised = parseInt(/→\s*(\d+)%/.exec((await remedies.first().textContent())!)![1]!);

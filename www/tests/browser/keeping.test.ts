@@ -2,7 +2,8 @@
 
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { choose, contextWithProfile, idle, launch, pad, runButton, serveDist, shoot, visit, type Site } from "./browser";
+import { inspect } from "./a11y";
+import { choose, contextWithProfile, idle, launch, pad, runButton, serveDist, visit, type Site } from "./browser";
 import { drawStroke } from "./gestures";
 import { inkOn, padsReady, previewed } from "./pads";
 
@@ -40,7 +41,7 @@ it("brings back drawings, settings and the wire after a reload", async () => {
   expect(await page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
   // The way of the run is there, too.
   expect(Number(await page.getByLabel("The run, wire by wire").inputValue())).toBeGreaterThan(10);
-  await shoot(page, "after-reload");
+  await inspect(page, "after-reload");
   expect(faults).toEqual([]);
   await context.close();
 });
@@ -57,7 +58,7 @@ it("goes on with a run that a reload cut off", async () => {
   await page.reload();
   const notice = page.getByText(/A run was cut off at step/);
   await notice.waitFor();
-  await shoot(page, "cut-off");
+  await inspect(page, "cut-off");
   const cut = parseInt(/step ([\d,]+)/.exec((await notice.textContent())!)![1]!.replaceAll(",", ""));
   expect(cut).toBeGreaterThan(0);
   await page.getByRole("button", { name: "Go on", exact: true }).click();
@@ -84,7 +85,7 @@ it("offers to go on when the engine crashes in the middle of a run", async () =>
   await Promise.all(page.workers().map((worker) => worker.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError("unreachable"); })).catch(() => undefined)));
   await page.getByRole("alert").filter({ hasText: /engine stopped/i }).waitFor();
   await page.getByText(/A run was cut off at step/).waitFor();
-  await shoot(page, "crashed");
+  await inspect(page, "crashed");
   await page.getByRole("button", { name: "Go on", exact: true }).click();
   await phase(page, "running");
   await page.getByRole("button", { name: "Stop" }).click();
@@ -102,7 +103,7 @@ it("lets one tab at a time keep the project, and says so in the other", async ()
   const elsewhere = (page: Page) => page.getByText("This project is open in another tab");
   await elsewhere(second.page).waitFor();
   expect(await elsewhere(first.page).count()).toBe(0);
-  await shoot(second.page, "two-tabs");
+  await inspect(second.page, "two-tabs");
   await second.page.getByRole("button", { name: "Keep it here instead" }).click();
   await elsewhere(first.page).waitFor();
   await expect.poll(() => elsewhere(second.page).count()).toBe(0);
@@ -119,7 +120,7 @@ it("works where the browser keeps nothing, and says that it does not", async () 
   await phase(page, "running");
   await idle(page);
   expect(await page.locator(".verdict").textContent()).toMatch(/match/);
-  await shoot(page, "storage-blocked");
+  await inspect(page, "storage-blocked");
   expect(faults).toEqual([]);
   await page.context().close();
 });

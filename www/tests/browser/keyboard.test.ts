@@ -2,7 +2,8 @@
 
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { idle, launch, serveDist, shoot, visit, type Site } from "./browser";
+import { inspect } from "./a11y";
+import { idle, launch, serveDist, visit, type Site } from "./browser";
 import { downloaded } from "./gestures";
 import { inkOn, padsReady } from "./pads";
 
@@ -49,7 +50,7 @@ it("draws, types, runs, looks round, and saves by keys alone", async () => {
   for (let i = 0; i < 12; i++) await page.keyboard.press("Shift+ArrowDown");
   await page.keyboard.press("Space");
   await expect.poll(() => inkOn(page, 0)).toBeGreaterThan(0.002);
-  await shoot(page, "keys-drawing");
+  await inspect(page, "keys-drawing");
   await tabTo(page, /^Done/);
   await page.keyboard.press("Enter");
 
@@ -77,7 +78,7 @@ it("draws, types, runs, looks round, and saves by keys alone", async () => {
   await page.keyboard.press("f");
   await page.keyboard.press("?");
   await page.getByRole("dialog").filter({ hasText: /device/ }).waitFor();
-  await shoot(page, "help");
+  await inspect(page, "help");
   await page.keyboard.press("Escape");
   await expect.poll(() => page.getByRole("dialog").count()).toBe(0);
 

@@ -3,6 +3,7 @@
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
+import { inspect } from "./a11y";
 import { choose, DRAWINGS, give, idle, launch, requestsElsewhere, runButton, serveDist, shoot, visit, type Site, type Visit } from "./browser";
 import { padsReady, previewed } from "./pads";
 
@@ -61,7 +62,7 @@ it("turns three drawings into one wire: the loss falls, every view matches, a se
   }
   expect(await pieces()).toBe("1");
   expect(await page.locator(".verdict").textContent()).toMatch(/match|ink/);
-  await shoot(page, "after-run");
+  await inspect(page, "after-run");
   // …and undo brings the example's wire back.
   await button(/^Undo: Make the wire/).click();
   await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/Make it again/);
@@ -100,7 +101,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await phase("paused");
   await page.getByText(/Looking back at/).waitFor();
   expect(await looked()).toBeLessThan(30);
-  await shoot(page, "looking-back");
+  await inspect(page, "looking-back");
   await page.getByRole("button", { name: "Go on", exact: true }).click();
   await expect.poll(looked).toBeGreaterThan(30);
   await button("Reset").click();

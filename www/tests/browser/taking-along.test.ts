@@ -4,7 +4,8 @@ import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { choose, DRAWINGS, give, idle, launch, requestsElsewhere, runButton, serveDist, shoot, SHOTS, visit, type Site, type Visit } from "./browser";
+import { inspect } from "./a11y";
+import { choose, DRAWINGS, give, idle, launch, requestsElsewhere, runButton, serveDist, SHOTS, visit, type Site, type Visit } from "./browser";
 import { downloaded, dropFiles } from "./gestures";
 import { validateGlb } from "./glb";
 import { padsReady, previewed } from "./pads";
@@ -133,12 +134,12 @@ describe("as a link", () => {
     // Without a worker there is the wire all the same: the stage is not empty and its views are named.
     await expect.poll(() => other.page.locator("[data-view]").allTextContents()).toHaveLength(2);
     await expect.poll(() => inked(other.page)).toBeGreaterThan(0.005);
-    await shoot(other.page, "link-without-worker");
+    await inspect(other.page, "link-without-worker");
     await other.page.context().close();
     const fresh = await visit(browser, link);
     await fresh.page.getByRole("button", { name: /^Undo: Open the link/ }).waitFor();
     expect(await fresh.page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
-    await shoot(fresh.page, "from-link");
+    await inspect(fresh.page, "from-link");
     expect(requestsElsewhere(fresh)).toEqual([]);
     expect(fresh.faults).toEqual([]);
     await fresh.page.context().close();
