@@ -1,5 +1,5 @@
 import "./styles.css";
-import { startTheme } from "./ui/theme";
-import "./ui/wire-app";
+import { startTheme } from "./ui/app/theme";
+import "./ui/app/wire-app";
 
 startTheme();

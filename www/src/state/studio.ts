@@ -5,22 +5,22 @@ import type { WireShape } from "../embed/shape";
 import { EngineClient, Problem } from "../engine/client";
 import type { Drawing, ExportFormat, Finished, Picture, Reading, SettingsTable, SettingValues } from "../engine/protocol";
 import { sheetOf } from "../engine/sheet";
-import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./document";
-import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example";
-import { sortFiles } from "./files";
-import { known, presetOf, problemWith, readFragment, writeFragment } from "./fragment";
-import { mirrored, turned, type Paper, type PictureLayer } from "./paper";
-import { readPicture } from "./picture";
-import { NO_PROJECT, Project, type ProjectState } from "./project";
-import { NO_PREVIEW, Previewer, sheetsOf, type PadRemedy, type PreviewState } from "./previewer";
-import { READY, Runner, type RunState } from "./runner";
+import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./keeping/document";
+import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example/example";
+import { sortFiles } from "./drawing/files";
+import { known, presetOf, problemWith, readFragment, writeFragment } from "./address/fragment";
+import { mirrored, turned, type Paper, type PictureLayer } from "./drawing/paper";
+import { readPicture } from "./drawing/picture";
+import { NO_PROJECT, Project, type ProjectState } from "./keeping/project";
+import { NO_PREVIEW, Previewer, sheetsOf, type PadRemedy, type PreviewState } from "./run/previewer";
+import { READY, Runner, type RunState } from "./run/runner";
 import { Store } from "./store";
-import type { Track } from "./track";
+import type { Track } from "./run/track";
 import { asSentence, explain, named } from "./words";
 
-export { SLOTS, type Doc, type Made, type Slot } from "./document";
-export type { PadRemedy, PreviewBySlot } from "./previewer";
-export type { Phase, Progress } from "./runner";
+export { SLOTS, type Doc, type Made, type Slot } from "./keeping/document";
+export type { PadRemedy, PreviewBySlot } from "./run/previewer";
+export type { Phase, Progress } from "./run/runner";
 
 /** What is passing about a pad. */
 export interface PadState {

@@ -1,0 +1,65 @@
+/**
+ * The address's fragment, which no server ever sees: `#v=1&w=CODE&preset=fast&seed=3`. `w` carries a whole wire, every
+ * other key is a setting of the core's table; unknown ones are ignored. Links before `v` held `w` alone.
+ */
+
+import type { SettingsTable, SettingValues } from "../../engine/protocol";
+
+export const FRAGMENT_VERSION = 1;
+
+export interface Fragment {
+  readonly code: string | null;
+  /** As written; see [`known`]. */
+  readonly settings: SettingValues;
+  /** Whether a newer page wrote it. */
+  readonly newer: boolean;
+}
+
+export function readFragment(hash: string): Fragment {
+  const pairs = new URLSearchParams(hash.replace(/^#/, ""));
+  const version = Number(pairs.get("v") ?? FRAGMENT_VERSION);
+  const settings: Record<string, string> = {};
+  for (const [name, value] of pairs) {
+    if (name !== "v" && name !== "w") settings[name] = value;
+  }
+  return { code: pairs.get("w"), settings, newer: !(version <= FRAGMENT_VERSION) };
+}
+
+/** Empty where there is nothing to say. */
+export function writeFragment(code: string | null, settings: SettingValues): string {
+  const pairs = Object.entries(settings).map(([name, value]) => `&${encodeURIComponent(name)}=${encodeURIComponent(value)}`);
+  if (code === null && pairs.length === 0) return "";
+  return `#v=${FRAGMENT_VERSION}${code === null ? "" : `&w=${code}`}${pairs.join("")}`;
+}
+
+/** The settings that the table knows with values it allows, less those that are as their preset has them. */
+export function known(settings: SettingValues, table: SettingsTable): SettingValues {
+  const valid = Object.entries(settings).filter(([name, value]) => problemWith(name, value, table) === null);
+  const preset = presetOf(Object.fromEntries(valid), table);
+  return Object.fromEntries(valid.filter(([name, value]) => (name === "preset" ? value !== DEFAULT_PRESET : value !== preset[name])));
+}
+
+export const DEFAULT_PRESET = "best";
+
+/** Every value of the preset that these settings start from. */
+export function presetOf(settings: SettingValues, table: SettingsTable): SettingValues {
+  return table.presets[settings["preset"] ?? DEFAULT_PRESET] ?? {};
+}
+
+/** Why a setting cannot have a value, in words for people; null if it can. */
+export function problemWith(name: string, value: string, table: SettingsTable): string | null {
+  const row = table.rows.find((row) => row.name === name);
+  if (!row) return "there is no such setting";
+  switch (row.kind) {
+    case "choice":
+      return row.choices!.includes(value) ? null : `choose ${row.choices!.join(", ")}`;
+    case "switch":
+      return value === "true" || value === "false" ? null : "choose on or off";
+    default: {
+      const number = value.trim() === "" ? NaN : Number(value);
+      const whole = row.kind === "integer";
+      const fits = number >= row.min! && number <= row.max! && (!whole || Number.isInteger(number));
+      return fits ? null : `give a ${whole ? "whole " : ""}number from ${row.min} to ${row.max}`;
+    }
+  }
+}

@@ -1,0 +1,141 @@
+/** What survives a reload: the project in the browser's own database, and which tab may write to it. */
+
+import { openDB, type DBSchema, type IDBPDatabase } from "idb";
+import type { Snapshot } from "../../engine/protocol";
+import type { Doc } from "./document";
+import type { Track } from "../run/track";
+
+/** A run under way; what it has come to so far lies in the snapshots. */
+export type KeptRun = Omit<Track, "snapshots">;
+
+interface Schema extends DBSchema {
+  /** `papers`, `settings`, `made`: the document in parts, so that a stroke does not write a whole run again. */
+  document: { key: keyof Doc; value: Doc[keyof Doc] };
+  run: { key: "now"; value: KeptRun };
+  /** Of the run under way, by iteration. */
+  snapshots: { key: number; value: Snapshot };
+}
+
+const NAME = "wire4d";
+const VERSION = 1;
+
+export interface Kept {
+  readonly doc: Doc | null;
+  /** A run that came to no end. */
+  readonly run: Track | null;
+}
+
+export class Keep {
+  /** Writes come one after the other. */
+  private queue: Promise<unknown> = Promise.resolve();
+  private saved: Partial<Doc> = {};
+
+  private constructor(
+    private readonly db: IDBPDatabase<Schema>,
+    private readonly onTrouble: () => void,
+  ) {}
+
+  /** Null where the browser keeps nothing. `onTrouble` hears of a write that failed: a full disk, storage cleared away. */
+  static async open(onTrouble: () => void): Promise<Keep | null> {
+    try {
+      const db = await openDB<Schema>(NAME, VERSION, {
+        upgrade(db) {
+          db.createObjectStore("document");
+          db.createObjectStore("run");
+          db.createObjectStore("snapshots", { keyPath: "iteration" });
+        },
+        // Another tab wants a newer database: let it.
+        blocking: (_current, _wanted, event) => (event.target as IDBDatabase).close(),
+        terminated: onTrouble,
+      });
+      return new Keep(db, onTrouble);
+    } catch {
+      return null;
+    }
+  }
+
+  async load(): Promise<Kept> {
+    const { db } = this;
+    const [papers, settings, made, run, snapshots] = await Promise.all([
+      db.get("document", "papers"),
+      db.get("document", "settings"),
+      db.get("document", "made"),
+      db.get("run", "now"),
+      db.getAll("snapshots"),
+    ]);
+    const doc = papers && settings ? ({ papers, settings, made: made ?? null } as Doc) : null;
+    this.saved = doc ?? {};
+    return { doc, run: run ? { ...run, snapshots } : null };
+  }
+
+  saveDoc(doc: Doc): Promise<void> {
+    return this.write(async (db) => {
+      const changed = (Object.keys(doc) as (keyof Doc)[]).filter((part) => doc[part] !== this.saved[part]);
+      if (changed.length === 0) return;
+      const transaction = db.transaction("document", "readwrite");
+      await Promise.all([...changed.map((part) => transaction.store.put(doc[part], part)), transaction.done]);
+      this.saved = doc;
+    });
+  }
+
+  /** A run begins, at a snapshot of an earlier one or afresh. */
+  beginRun({ snapshots, ...run }: Track): Promise<void> {
+    return this.write(async (db) => {
+      const transaction = db.transaction(["run", "snapshots"], "readwrite");
+      const kept = transaction.objectStore("snapshots");
+      await kept.clear();
+      await Promise.all([
+        transaction.objectStore("run").put(run, "now"),
+        ...snapshots.map((snapshot) => kept.put(snapshot)),
+        transaction.done,
+      ]);
+    });
+  }
+
+  addSnapshot(snapshot: Snapshot): Promise<void> {
+    return this.write((db) => db.put("snapshots", snapshot));
+  }
+
+  /** The run has ended, or nobody wants it. */
+  endRun(): Promise<void> {
+    return this.write(async (db) => {
+      const transaction = db.transaction(["run", "snapshots"], "readwrite");
+      await Promise.all([transaction.objectStore("run").clear(), transaction.objectStore("snapshots").clear(), transaction.done]);
+    });
+  }
+
+  private write(action: (db: IDBPDatabase<Schema>) => Promise<unknown>): Promise<void> {
+    const done = this.queue.then(() => action(this.db)).then(
+      () => undefined,
+      (error: unknown) => {
+        console.warn("keeping the project failed:", error);
+        this.onTrouble();
+      },
+    );
+    this.queue = done;
+    return done;
+  }
+}
+
+/**
+ * One tab at a time writes the project. Calls `onChange` with whether this tab is it: now, and when another takes over.
+ * The result makes this tab the one. Where the browser has no locks, every tab writes.
+ */
+export function tenancy(onChange: (here: boolean) => void): () => void {
+  const locks = navigator.locks as LockManager | undefined;
+  if (!locks) {
+    onChange(true);
+    return () => undefined;
+  }
+  const request = (options: LockOptions): void => {
+    locks
+      .request("wire4d-project", options, (lock) => {
+        onChange(lock !== null);
+        // Held until the tab closes or another steals it.
+        return lock ? new Promise<void>(() => undefined) : undefined;
+      })
+      .catch(() => onChange(false));
+  };
+  request({ ifAvailable: true });
+  return () => request({ steal: true });
+}

@@ -1,0 +1,119 @@
+/** The document, its undo, and its keeping: every change of what a person makes goes through here. */
+
+import { BLANK, type Doc } from "./document";
+import { Edits } from "./edits";
+import { Keep, tenancy } from "./keep";
+import type { Snapshot } from "../../engine/protocol";
+import type { Track } from "../run/track";
+
+export interface ProjectState {
+  readonly doc: Doc;
+  /** What undo and redo would do, in words. */
+  readonly undo: string | null;
+  readonly redo: string | null;
+  /** Whether work is kept in this browser: by this tab, by another one, or not at all. */
+  readonly keeping: "here" | "elsewhere" | "off";
+}
+
+export const NO_PROJECT: ProjectState = { doc: BLANK, undo: null, redo: null, keeping: "here" };
+
+const SAVE_AFTER_MS = 300;
+
+export class Project {
+  private readonly edits = new Edits<Doc>(BLANK);
+  private keeping: ProjectState["keeping"] = "here";
+  private keep: Keep | null = null;
+  private takeOver: () => void = () => undefined;
+  /** Whether there is anything of the person's own to keep. */
+  private touched = false;
+  private saving: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly show: (state: ProjectState) => void) {}
+
+  get doc(): Doc {
+    return this.edits.present;
+  }
+
+  /** Brings back what was kept; the run that came to no end, if there is one. */
+  async recall(): Promise<Track | null> {
+    const keep = await Keep.open(() => this.keeps("off"));
+    const kept = await keep?.load().catch(() => null);
+    if (!keep || !kept) {
+      this.keeps("off");
+      return null;
+    }
+    this.keep = keep;
+    this.takeOver = tenancy((here) => this.keeping === "off" || this.keeps(here ? "here" : "elsewhere"));
+    if (kept.doc) this.replace(kept.doc);
+    return kept.run;
+  }
+
+  /** A step that can be taken back; steps of one non-empty `kind` in close succession become one. */
+  edit(label: string, change: Partial<Doc>, kind = ""): void {
+    this.touched = true;
+    this.edits.apply(label, { ...this.doc, ...change }, kind);
+    this.changed();
+  }
+
+  /** A change that nobody made, and no step. */
+  replace(change: Partial<Doc>): void {
+    this.edits.replace({ ...this.doc, ...change });
+    this.changed();
+  }
+
+  undo(): void {
+    this.edits.undo();
+    this.changed();
+  }
+
+  redo(): void {
+    this.edits.redo();
+    this.changed();
+  }
+
+  /** This tab keeps the project from now on. */
+  keepHere(): void {
+    this.touched = true;
+    this.takeOver();
+  }
+
+  beginRun(track: Track): void {
+    void this.writer?.beginRun(track);
+  }
+
+  addSnapshot(snapshot: Snapshot): void {
+    void this.writer?.addSnapshot(snapshot);
+  }
+
+  endRun(): void {
+    void this.writer?.endRun();
+  }
+
+  /** Writes now what would be written in a moment: the page may be about to go. */
+  save(): void {
+    clearTimeout(this.saving);
+    // The example is at hand anyway, and what nobody touched is no project.
+    if (this.touched) void this.writer?.saveDoc(this.doc);
+  }
+
+  private get writer(): Keep | null {
+    return this.keeping === "here" ? this.keep : null;
+  }
+
+  private keeps(keeping: ProjectState["keeping"]): void {
+    this.keeping = keeping;
+    this.tell();
+    this.save();
+  }
+
+  private changed(): void {
+    this.tell();
+    clearTimeout(this.saving);
+    this.saving = setTimeout(() => this.save(), SAVE_AFTER_MS);
+  }
+
+  private tell(): void {
+    const { doc, edits, keeping } = this;
+    this.show({ doc, undo: edits.undoes, redo: edits.redoes, keeping });
+  }
+}

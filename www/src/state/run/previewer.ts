@@ -1,0 +1,108 @@
+/** Keeps a preview of the drawings as they are now: soon after they change, one at a time, and only of the newest. */
+
+import { Cancelled } from "../../engine/client";
+import type { BendPreview, Drawing, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
+import { SLOTS, type Doc, type Slot } from "../keeping/document";
+import { drawingOf, isBlank, type Paper } from "../drawing/paper";
+import { explain } from "../words";
+
+/** What the drawings come to, by the pads they are in. */
+export interface PreviewBySlot {
+  readonly drawings: Readonly<Partial<Record<Slot, DrawingPreview>>>;
+  readonly coverable: number;
+  readonly asGiven: number;
+  readonly remedies: readonly PadRemedy[];
+  readonly bends: readonly BendPreview[];
+  readonly notes: readonly string[];
+}
+
+export interface PadRemedy extends Remedy {
+  readonly slots: readonly Slot[];
+}
+
+export interface PreviewState {
+  readonly preview: PreviewBySlot | null;
+  readonly previewBusy: boolean;
+  readonly previewProblem: string;
+}
+
+export const NO_PREVIEW: PreviewState = { preview: null, previewBusy: false, previewProblem: "" };
+
+/** A hand that draws is not to be disturbed at every stroke. */
+const WAIT_MS = 200;
+
+export class Previewer {
+  private wanted: Doc | null = null;
+  private shownPapers: Doc["papers"] | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private working = false;
+
+  constructor(
+    private readonly ask: (drawings: readonly Drawing[], settings: SettingValues) => Promise<Preview>,
+    private readonly show: (state: Partial<PreviewState>) => void,
+  ) {}
+
+  /** To be called after every change of the document. */
+  follow(doc: Doc): void {
+    const before = this.wanted;
+    if (before && before.papers === doc.papers && before.settings === doc.settings) return;
+    this.wanted = doc;
+    clearTimeout(this.timer);
+    // Whether one of them is blank is seen later: this is called while somebody waits.
+    if (SLOTS.filter((slot) => doc.papers[slot]).length < 2) {
+      this.shownPapers = null;
+      this.show(NO_PREVIEW);
+      return;
+    }
+    // What is known of other sheets is not shown over these.
+    if (this.shownPapers && SLOTS.some((slot) => this.shownPapers![slot] !== doc.papers[slot])) {
+      this.shownPapers = null;
+      this.show({ preview: null });
+    }
+    this.show({ previewBusy: true });
+    this.timer = setTimeout(() => void this.work(), before ? WAIT_MS : 0);
+  }
+
+  private async work(): Promise<void> {
+    if (this.working) return;
+    this.working = true;
+    const doc = this.wanted!;
+    const sheets = sheetsOf(doc);
+    if (sheets.length < 2) {
+      this.working = false;
+      this.shownPapers = null;
+      this.show(NO_PREVIEW);
+      return;
+    }
+    const current = (): boolean => this.wanted === doc;
+    try {
+      const preview = await this.ask(sheets.map(({ slot, paper }) => drawingOf(paper, slot)), doc.settings);
+      if (current()) {
+        this.shownPapers = doc.papers;
+        this.show({ preview: bySlot(preview, sheets.map(({ slot }) => slot)), previewBusy: false, previewProblem: "" });
+      }
+    } catch (error) {
+      // The worker was ended for another reason: once more.
+      if (error instanceof Cancelled) this.timer = setTimeout(() => void this.work(), WAIT_MS);
+      else if (current()) this.show({ preview: null, previewBusy: false, previewProblem: explain(error, "The preview") });
+    }
+    this.working = false;
+    if (!current() && this.wanted && sheetsOf(this.wanted).length >= 2) void this.work();
+  }
+}
+
+/** The pads that hold ink, in order. */
+export function sheetsOf({ papers }: Pick<Doc, "papers">): { slot: Slot; paper: Paper }[] {
+  return SLOTS.flatMap((slot) => {
+    const paper = papers[slot];
+    return paper && !isBlank(paper) ? [{ slot, paper }] : [];
+  });
+}
+
+function bySlot({ drawings, remedies, ...rest }: Preview, slots: readonly Slot[]): PreviewBySlot {
+  return {
+    ...rest,
+    drawings: Object.fromEntries(drawings.map((drawing, i) => [slots[i]!, drawing])),
+    remedies: remedies.map((remedy) => ({ ...remedy, slots: remedy.sources.map((source) => slots[source]!) })),
+  };
+}

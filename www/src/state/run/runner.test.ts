@@ -1,0 +1,109 @@
+import { beforeEach, expect, it, vi } from "vitest";
+import { Cancelled, Problem } from "../../engine/client";
+import type { WireShape } from "../../embed/shape";
+import type { Finished, Frame, News, Snapshot } from "../../engine/protocol";
+import { READY, Runner, type RunState } from "./runner";
+import type { Track } from "./track";
+
+const wire = (x: number): WireShape => ({ closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], controlPoints: Array<number>(16).fill(x) });
+const snapshot = (iteration: number): Snapshot => ({ iteration, iterations: 100, loss: 1 / iteration, wire: wire(-iteration), checkpoint: new Blob([String(iteration)]) });
+const frame = (iteration: number): Frame => ({ wire: wire(iteration), iteration, iterations: 100, loss: 1 / iteration, iterationsPerSecond: 20 });
+const fresh: Track = { sheets: [], settings: {}, iterations: 0, losses: [], events: [], snapshots: [] };
+
+let state: RunState;
+let controls: string[];
+let shown: number;
+let from: Uint8Array | null;
+let end: { finish(finished: Finished): void; fail(error: Error): void };
+let runner: Runner;
+
+beforeEach(() => {
+  vi.stubGlobal("document", { hidden: true });
+  state = { phase: "idle", progress: READY, track: null, looking: null, views: [], targets: [], notes: [] };
+  controls = [];
+  shown = NaN;
+  const engine = {
+    call: (_call: string, given: { from: Uint8Array | null }) => {
+      from = given.from;
+      return new Promise((finish, fail) => (end = { finish, fail }));
+    },
+    control: (control: string) => void controls.push(control),
+    cancel: () => end.fail(new Cancelled("cancelled")),
+  };
+  runner = new Runner(engine as never, {
+    get: () => state,
+    set: (change) => (state = { ...state, ...change }),
+    wire: (wire) => (shown = wire.controlPoints[0]!),
+    snapshot: () => undefined,
+  });
+});
+
+const hear = (...news: News[]): void => news.forEach((one) => runner.hear(one));
+const begun = (track = fresh): Promise<Finished | null> => {
+  const run = runner.run(track);
+  hear({ news: "targets", targets: [] });
+  return run;
+};
+
+it("follows a run from the drawings to the wire", async () => {
+  const run = begun();
+  expect(state.phase).toBe("running");
+  hear({ news: "frame", frame: frame(10) }, { news: "snapshot", snapshot: snapshot(10) }, { news: "event", event: { iteration: 10, kind: "refine", count: 3 } });
+  hear({ news: "frame", frame: frame(20) });
+  expect(state.progress).toMatchObject({ iteration: 20, share: 0.2, secondsLeft: 4 });
+  expect(state.track).toMatchObject({ iterations: 100, losses: [[10, 0.1], [20, 0.05]], events: [{ kind: "refine" }], snapshots: [{ iteration: 10 }] });
+  expect(controls).toEqual(["seen", "seen"]);
+  const finished = {} as Finished;
+  end.finish(finished);
+  expect(await run).toBe(finished);
+  expect(state.phase).toBe("idle");
+});
+
+it("pauses to look back, keeps looking while frames still come, and returns to the newest", () => {
+  void begun();
+  hear({ news: "snapshot", snapshot: snapshot(10) }, { news: "frame", frame: frame(30) });
+  runner.lookAt(0);
+  expect([state.phase, shown, state.looking]).toEqual(["paused", -10, 0]);
+  hear({ news: "frame", frame: frame(31) });
+  expect(shown).toBe(-10);
+  runner.pause();
+  expect([state.phase, shown, state.looking]).toEqual(["running", 31, null]);
+  expect(controls.filter((control) => control !== "seen")).toEqual(["pause", "resume"]);
+});
+
+it("goes on from a snapshot: what came later is gone", () => {
+  void begun();
+  hear(...[10, 20, 30].map((at) => ({ news: "snapshot", snapshot: snapshot(at) }) as const), { news: "frame", frame: frame(15) }, { news: "frame", frame: frame(35) });
+  const track = runner.at(1)!;
+  expect(track.snapshots.map(({ iteration }) => iteration)).toEqual([10, 20]);
+  expect(track.losses.map(([iteration]) => iteration)).toEqual([15]);
+  expect(runner.at(7)).toBeNull();
+  void begun(track);
+  expect(from).toBe(track.snapshots.at(-1)!.checkpoint);
+});
+
+it("comes to nothing when it is called off, and says what went wrong otherwise", async () => {
+  const called = begun();
+  runner.cancel();
+  expect(await called).toBeNull();
+  const failed = runner.run(fresh);
+  runner.stop();
+  expect(await failed).toBeNull();
+  const crashed = begun();
+  hear({ news: "snapshot", snapshot: snapshot(10) });
+  end.fail(new Problem("the engine stopped"));
+  await expect(crashed).rejects.toThrow("the engine stopped");
+  expect([state.phase, state.track!.snapshots.length]).toEqual(["idle", 1]);
+  hear({ news: "frame", frame: frame(99) });
+  expect(shown).not.toBe(99);
+});
+
+it("stops with the best so far, once", () => {
+  void begun();
+  runner.step();
+  runner.stop();
+  runner.stop();
+  runner.step();
+  expect(controls).toEqual(["step", "stop"]);
+  expect(state.phase).toBe("finishing");
+});

@@ -1,0 +1,189 @@
+/** One run at a time: what the worker tells of it becomes a track, progress, and wires to look at. */
+
+import { Cancelled, type EngineClient } from "../../engine/client";
+import type { WireShape } from "../../embed/shape";
+import type { Finished, Frame, News, Snapshot, Target, View } from "../../engine/protocol";
+import { drawingOf } from "../drawing/paper";
+import { upTo, withEvent, withFrame, withSnapshot, type Track } from "./track";
+import { asSentence } from "../words";
+
+export type Phase = "idle" | "preparing" | "running" | "paused" | "finishing";
+
+export interface Progress {
+  readonly words: string;
+  /** 0 to 1. */
+  readonly share: number;
+  readonly secondsLeft: number | null;
+  readonly iteration: number;
+  readonly iterations: number;
+  readonly iterationsPerSecond: number;
+}
+
+export const READY: Progress = { words: "", share: 0, secondsLeft: null, iteration: 0, iterations: 0, iterationsPerSecond: 0 };
+
+export interface RunState {
+  readonly phase: Phase;
+  readonly progress: Progress;
+  /** The run under way, or the one that the wire on the stage came from. */
+  readonly track: Track | null;
+  /** The snapshot that is looked at, by its index; null is the newest wire. */
+  readonly looking: number | null;
+  readonly views: readonly View[];
+  readonly targets: readonly Target[];
+  /** What a person should know about the drawings of this run. */
+  readonly notes: readonly string[];
+}
+
+export interface RunHooks {
+  get(): RunState;
+  set(change: Partial<RunState>): void;
+  /** A wire to show while it forms. */
+  wire(wire: WireShape): void;
+  snapshot(snapshot: Snapshot): void;
+}
+
+export class Runner {
+  private newest: WireShape | null = null;
+
+  constructor(
+    private readonly engine: Pick<EngineClient, "call" | "control" | "cancel">,
+    private readonly hooks: RunHooks,
+  ) {}
+
+  /**
+   * Runs the track's drawings from its last snapshot on, or from the start. Null if it was called off.
+   * @throws what the engine says; the track so far stays in the state.
+   */
+  async run(track: Track): Promise<Finished | null> {
+    const from = track.snapshots.at(-1)?.checkpoint ?? null;
+    const words = from ? "Picking up the wire" : "Looking at the drawings";
+    this.newest = null;
+    this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
+    try {
+      const drawings = track.sheets.map(({ slot, paper }) => drawingOf(paper, slot));
+      return await this.engine.call("run", { drawings, settings: track.settings, from });
+    } catch (error) {
+      if (error instanceof Cancelled) return null;
+      throw error;
+    } finally {
+      this.hooks.set({ phase: "idle", progress: READY });
+    }
+  }
+
+  /** Pauses, or goes on. */
+  pause(): void {
+    const { phase } = this.hooks.get();
+    if (phase === "running") {
+      this.hooks.set({ phase: "paused" });
+      this.engine.control("pause");
+    } else if (phase === "paused") {
+      this.lookAt(null);
+      this.hooks.set({ phase: "running" });
+      this.engine.control("resume");
+    }
+  }
+
+  /** One iteration, then a pause. */
+  step(): void {
+    const { phase } = this.hooks.get();
+    if (phase !== "running" && phase !== "paused") return;
+    this.lookAt(null);
+    this.hooks.set({ phase: "paused" });
+    this.engine.control("step");
+  }
+
+  /** Ends the run with the best wire so far; while there is none yet it simply ends. */
+  stop(): void {
+    const { phase } = this.hooks.get();
+    if (phase === "preparing") {
+      this.cancel();
+    } else if (phase === "running" || phase === "paused") {
+      this.hooks.set({ phase: "finishing" });
+      this.engine.control("stop");
+    }
+  }
+
+  /** Ends the run at once and without a wire. */
+  cancel(): void {
+    if (this.hooks.get().phase !== "idle") this.engine.cancel();
+  }
+
+  /** Shows a snapshot of the run; a running one pauses for it. Null is the newest. */
+  lookAt(index: number | null): void {
+    const { phase, track, looking } = this.hooks.get();
+    if (index === looking) return;
+    if (phase === "running" && index !== null) this.pause();
+    this.hooks.set({ looking: index });
+    const wire = index === null ? this.newest : track?.snapshots[index]?.wire;
+    if (wire) this.hooks.wire(wire);
+  }
+
+  /** The track as it was at one of its snapshots. */
+  at(index: number): Track | null {
+    const { track } = this.hooks.get();
+    const snapshot = track?.snapshots[index];
+    return track && snapshot ? upTo(track, snapshot) : null;
+  }
+
+  hear(news: News): void {
+    const { phase, track, notes, progress } = this.hooks.get();
+    // The last words of a run that was called off.
+    if (phase === "idle" || !track) return;
+    switch (news.news) {
+      case "progress":
+        this.hooks.set({ progress: { ...progress, words: news.words, share: news.share, secondsLeft: null } });
+        break;
+      case "note":
+        this.hooks.set({ notes: [...notes, asSentence(news.words)] });
+        break;
+      case "targets":
+        this.hooks.set({ targets: news.targets, views: news.targets.map(({ view }) => view), phase: "running" });
+        break;
+      case "event":
+        this.hooks.set({ track: withEvent(track, news.event) });
+        break;
+      case "snapshot":
+        this.hooks.set({ track: withSnapshot(track, news.snapshot) });
+        this.hooks.snapshot(news.snapshot);
+        break;
+      case "frame":
+        this.hearFrame(news.frame, track);
+        // After the browser has drawn what came of it (or at once in a hidden tab, where it draws nothing).
+        afterDrawing(() => this.engine.control("seen"));
+        break;
+    }
+  }
+
+  private hearFrame(frame: Frame, track: Track): void {
+    const { iteration, iterations, iterationsPerSecond } = frame;
+    this.newest = frame.wire;
+    if (this.hooks.get().looking === null) this.hooks.wire(frame.wire);
+    this.hooks.set({
+      track: withFrame(track, frame),
+      progress: {
+        words: "Bending the wire into shape",
+        share: iteration / Math.max(1, iterations),
+        secondsLeft: iterationsPerSecond > 0 ? Math.ceil((iterations - iteration) / iterationsPerSecond) : null,
+        iteration,
+        iterations,
+        iterationsPerSecond,
+      },
+    });
+  }
+}
+
+/** Where drawing takes long, as long again is left for everything else. */
+function afterDrawing(action: () => void): void {
+  if (document.hidden) {
+    action();
+    return;
+  }
+  const askedMs = performance.now();
+  requestAnimationFrame(() =>
+    setTimeout(() => {
+      const tookMs = performance.now() - askedMs;
+      if (tookMs > 50) setTimeout(action, Math.min(1000, tookMs));
+      else action();
+    }),
+  );
+}

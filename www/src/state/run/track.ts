@@ -1,0 +1,45 @@
+/** What is remembered of a run: its losses, events, and a wire every few iterations. Immutable. */
+
+import type { Frame, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
+import type { Slot } from "../keeping/document";
+import type { Paper } from "../drawing/paper";
+
+export interface Track {
+  /** The drawings of the run, by the pads they were in, in the run's order. */
+  readonly sheets: readonly { readonly slot: Slot; readonly paper: Paper }[];
+  readonly settings: SettingValues;
+  readonly iterations: number;
+  /** [iteration, loss] in order. */
+  readonly losses: readonly (readonly [iteration: number, loss: number])[];
+  readonly events: readonly RunEvent[];
+  readonly snapshots: readonly Snapshot[];
+}
+
+/** More losses than a curve of this many points can show are thinned out. */
+const MOST_LOSSES = 600;
+
+export function withFrame(track: Track, frame: Frame): Track {
+  const losses = [...track.losses.filter(([iteration]) => iteration < frame.iteration), [frame.iteration, frame.loss] as const];
+  const thinned = losses.length > MOST_LOSSES ? losses.filter((_, i) => i % 2 === 0 || i === losses.length - 1) : losses;
+  return { ...track, iterations: frame.iterations, losses: thinned };
+}
+
+export function withEvent(track: Track, event: RunEvent): Track {
+  return { ...track, events: [...track.events, event] };
+}
+
+export function withSnapshot(track: Track, snapshot: Snapshot): Track {
+  const before = track.snapshots.filter(({ iteration }) => iteration < snapshot.iteration);
+  return { ...track, iterations: snapshot.iterations, snapshots: [...before, snapshot] };
+}
+
+/** The same as it was at a snapshot: what came later is gone. */
+export function upTo(track: Track, snapshot: Snapshot): Track {
+  const until = snapshot.iteration;
+  return {
+    ...track,
+    losses: track.losses.filter(([iteration]) => iteration <= until),
+    events: track.events.filter(({ iteration, kind }) => iteration <= until && kind !== "done"),
+    snapshots: track.snapshots.filter(({ iteration }) => iteration <= until),
+  };
+}

@@ -1,0 +1,95 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import type { Studio, StudioState } from "../../state/studio";
+import { count } from "../../view/count";
+import { Part } from "../../view/part";
+import { engineProblem } from "./engine-check";
+import { icons } from "../shared/icons";
+import { controls } from "../shared/shared";
+
+/** What a person should know and can do something about: calm, over the stage, so that nothing moves; and problems. */
+@customElement("notice-list")
+export class NoticeList extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  private readonly engineProblem = engineProblem();
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: 8px;
+        pointer-events: none;
+      }
+      .notice {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 8px;
+        padding: 8px 8px 8px 16px;
+        padding-inline: 16px 8px;
+        border: 1px solid var(--line);
+        border-radius: 6px;
+        background: var(--raised);
+        box-shadow: var(--shadow);
+        pointer-events: auto;
+      }
+      .notice > span {
+        flex: 1 1 200px;
+        min-width: 0;
+        overflow-wrap: anywhere;
+      }
+      .problem {
+        flex-wrap: nowrap;
+        border-color: var(--error);
+        color: var(--error);
+      }
+      .problem > span {
+        flex-basis: 0;
+      }
+      button {
+        min-height: 36px;
+      }
+      @media (pointer: coarse) {
+        button {
+          min-height: 44px;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { keeping, unfinished, problem, phase } = this.state;
+    return html`
+      <div role="alert">
+        ${problem
+          ? html`<div class="notice problem">
+              ${icons.warning}<span>${problem}</span>
+              <button class="plain square" aria-label="Close this message" @click=${() => this.studio.warn("")}>${icons.close}</button>
+            </div>`
+          : nothing}
+      </div>
+      ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
+      ${unfinished && phase === "idle"
+        ? this.notice(
+            unfinished.iterations > 0
+              ? `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`
+              : "A run was cut off before its first wire.",
+            html`<button class="primary" @click=${() => void this.studio.continueUnfinished()}>Go on</button>
+              <button @click=${() => this.studio.dropUnfinished()}>Leave it</button>`,
+          )
+        : nothing}
+      ${keeping === "elsewhere"
+        ? this.notice(
+            "This project is open in another tab; what you do here is not kept.",
+            html`<button @click=${() => this.studio.keepHere()}>Keep it here instead</button>`,
+          )
+        : nothing}
+    `;
+  }
+
+  private notice(words: string, buttons?: TemplateResult): TemplateResult {
+    return html`<div class="notice" role="status"><span>${words}</span>${buttons ?? nothing}</div>`;
+  }
+}

@@ -1,0 +1,2 @@
+import "../pads/drawing-pad";
+import "../pads/remedy-list";

@@ -1,0 +1,3 @@
+import "./notice-list";
+import "../run/time-line";
+import "../stage/wire-stage";

@@ -1,0 +1,77 @@
+/** The four parts of the sheet on a phone, and the tabs that choose one. */
+
+import { css, html, type TemplateResult } from "lit";
+import { icons } from "../shared/icons";
+
+export const TABS = ["pictures", "run", "settings", "share"] as const;
+export type Tab = (typeof TABS)[number];
+
+const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
+  pictures: { words: "Pictures", icon: icons.pictures },
+  run: { words: "Run", icon: icons.run },
+  settings: { words: "Settings", icon: icons.settings },
+  share: { words: "Share", icon: icons.share },
+};
+
+export function tabs(chosen: Tab, choose: (tab: Tab) => void): TemplateResult {
+  const press = (event: KeyboardEvent): void => {
+    const right = getComputedStyle(event.currentTarget as Element).direction === "rtl" ? "ArrowLeft" : "ArrowRight";
+    const at = TABS.indexOf(chosen);
+    const next = { Home: 0, End: TABS.length - 1 }[event.key] ?? (/^Arrow(Left|Right)$/.test(event.key) ? at + (event.key === right ? 1 : -1) : null);
+    if (next === null) return;
+    event.preventDefault();
+    const tab = TABS.at(next % TABS.length)!;
+    choose(tab);
+    (event.currentTarget as Element).querySelector<HTMLElement>(`#tab-${tab}`)?.focus();
+  };
+  return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
+    ${TABS.map(
+      (tab) => html`<button
+        id="tab-${tab}"
+        class="plain"
+        role="tab"
+        aria-selected=${tab === chosen}
+        aria-controls="part-${tab}"
+        tabindex=${tab === chosen ? 0 : -1}
+        @click=${() => choose(tab)}
+      >
+        ${SHOWN[tab].icon} ${SHOWN[tab].words}
+      </button>`,
+    )}
+  </div>`;
+}
+
+export const tabsStyle = css`
+  .tabs {
+    grid-area: tabs;
+    display: grid;
+    grid-template-columns: repeat(4, minmax(0, 1fr));
+    padding-block-end: env(safe-area-inset-bottom);
+    border-block-start: 1px solid var(--line);
+    background: var(--raised);
+  }
+  .tabs button {
+    flex-direction: column;
+    gap: 2px;
+    min-height: 52px;
+    border: 0;
+    padding: 4px 2px;
+    border-radius: 0;
+    font-size: 13px;
+    line-height: 1.2;
+    color: var(--quiet);
+  }
+  .tabs button[aria-selected="true"] {
+    box-shadow: inset 0 2px 0 var(--copper);
+    color: var(--copper-text);
+    font-weight: 600;
+  }
+  .tabs button:focus-visible {
+    outline-offset: -3px;
+  }
+  @media (forced-colors: active) {
+    .tabs button[aria-selected="true"] {
+      border-block-start: 3px solid Highlight;
+    }
+  }
+`;

@@ -1,0 +1,99 @@
+import { css, html } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { Studio, StudioState } from "../../state/studio";
+import { Part } from "../../view/part";
+import { icons } from "../shared/icons";
+import { controls } from "../shared/shared";
+import { chooseTheme, theme, THEMES, type Theme } from "./theme";
+
+const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
+
+/** Name, undo, redo, sharing, colours and help. Fires `share` and `help`. */
+@customElement("top-bar")
+export class TopBar extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  @state() private theme = theme();
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        gap: 16px;
+        min-width: 0;
+        padding: 0 16px 0 24px;
+        padding-inline: 24px 16px;
+      }
+      h1 {
+        margin: 0;
+        font-size: 20px;
+        font-weight: 600;
+        letter-spacing: -0.01em;
+      }
+      h1 b {
+        font-weight: 600;
+        color: var(--copper-text);
+      }
+      p {
+        flex: 1;
+        min-width: 0;
+        margin: 0;
+        overflow: hidden;
+        color: var(--quiet);
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .tools {
+        display: flex;
+        align-items: center;
+        gap: 4px;
+      }
+      .share {
+        margin-inline: 8px;
+      }
+      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
+        :host {
+          padding-inline: 16px 4px;
+        }
+        .tools {
+          gap: 0;
+        }
+        .share {
+          display: none;
+        }
+      }
+      @media (max-width: 559px) {
+        p {
+          visibility: hidden;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { undo, redo, phase, doc } = this.state;
+    const idle = phase === "idle";
+    const next = THEMES[(THEMES.indexOf(this.theme) + 1) % THEMES.length]!;
+    const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[next]}`;
+    return html`
+      <h1>Wire<b>4D</b></h1>
+      <p>Three drawings, one wire</p>
+      <div class="tools">
+        ${this.tool(icons.undo, undo ? `Undo: ${undo}` : "Undo", idle && undo !== null, () => this.studio.undo())}
+        ${this.tool(icons.redo, redo ? `Redo: ${redo}` : "Redo", idle && redo !== null, () => this.studio.redo())}
+        <button class="share" ?disabled=${!doc.made || !idle} @click=${() => this.dispatchEvent(new Event("share"))}>${icons.share} Share</button>
+        ${this.tool(icons[this.theme], colours, true, () => {
+          chooseTheme(next);
+          this.theme = next;
+        })}
+        ${this.tool(icons.help, "Help", true, () => this.dispatchEvent(new Event("help")))}
+      </div>
+    `;
+  }
+
+  private tool(icon: unknown, words: string, enabled: boolean, act: () => void) {
+    return html`<button class="plain square" aria-label=${words} title=${words} ?disabled=${!enabled} @click=${act}>${icon}</button>`;
+  }
+}

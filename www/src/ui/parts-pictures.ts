@@ -1,2 +1,0 @@
-import "./drawing-pad";
-import "./remedy-list";

@@ -1,3 +1,0 @@
-import "./notice-list";
-import "./time-line";
-import "./wire-stage";

@@ -1,0 +1,123 @@
+import { css, html } from "lit";
+import { customElement, property, query } from "lit/decorators.js";
+import type { WireShape } from "../../embed/shape";
+import type { Made } from "../../state/keeping/document";
+import type { StudioState } from "../../state/studio";
+import { count } from "../../view/count";
+import "../../view/loss-curve";
+import "../../view/match-panels";
+import type { Match, MatchPanels } from "../../view/match-panels";
+import { Part } from "../../view/part";
+import { controls } from "../shared/shared";
+import { match, verdict } from "./verdict";
+
+const DASH = "–";
+
+/** The numbers that matter, the curve, and what they come to in a sentence. */
+@customElement("result-panel")
+export class ResultPanel extends Part {
+  @property({ attribute: false }) state!: StudioState;
+  @query("match-panels") private panels!: MatchPanels | null;
+  private wire: WireShape | null = null;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: 8px;
+      }
+      /* Four lines are kept free: nothing below moves when there is something to say. */
+      p {
+        min-height: 73px;
+        margin: 0;
+        overflow-wrap: anywhere;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: 1.6fr 1fr;
+        gap: 0 16px;
+        margin: 0 0 8px;
+        font-size: 13px;
+      }
+      dl div {
+        display: flex;
+        justify-content: space-between;
+        gap: 8px;
+        padding-block: 4px;
+        border-block-end: 1px solid var(--line);
+      }
+      dt {
+        color: var(--quiet);
+      }
+      dd {
+        margin: 0;
+        font-weight: 600;
+        white-space: nowrap;
+      }
+    `,
+  ];
+
+  override render() {
+    const { views, targets, track, looking } = this.state;
+    const made = this.measured();
+    const found = made?.finished.measures.views.map(matchOf) ?? [];
+    return html`
+      <h2>Match</h2>
+      <match-panels .views=${views} .targets=${targets} .found=${found}></match-panels>
+      <p class="verdict small">${this.sentence(made)}</p>
+      <dl>
+        ${this.numbers(made).map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}
+      </dl>
+      <loss-curve
+        .losses=${track?.losses ?? []}
+        .events=${track?.events ?? []}
+        .iterations=${track?.iterations ?? 0}
+        .at=${looking === null ? null : (track?.snapshots[looking]?.iteration ?? null)}
+      ></loss-curve>
+    `;
+  }
+
+  /** Comes with every frame of a run: not by the state. */
+  setWire(wire: WireShape | null): void {
+    this.wire = wire;
+    this.panels?.setWire(wire);
+  }
+
+  recolour(): void {
+    this.panels?.recolour();
+  }
+
+  protected override firstUpdated(): void {
+    this.panels?.setWire(this.wire);
+  }
+
+  /** The wire on the stage, where it is the finished one: only that has been measured. */
+  private measured(): Made | null {
+    const { doc, phase, looking } = this.state;
+    return phase === "idle" && looking === null ? doc.made : null;
+  }
+
+  private sentence(made: Made | null): string {
+    const { phase, notes, looking } = this.state;
+    if (looking !== null) return "Looking back: numbers are for the finished wire.";
+    if (phase !== "idle") return notes.join(" ");
+    if (!made) return "";
+    return made.source === "example" ? "Three pictures in one wire. Make it again to watch how it gets there." : verdict(made);
+  }
+
+  private numbers(made: Made | null): readonly (readonly [name: string, value: string])[] {
+    const measures = made?.finished.measures;
+    const points = measures?.control_points ?? (this.wire ? this.wire.controlPoints.length / 4 : 0);
+    return [
+      ["Pieces", measures ? count(measures.components) : DASH],
+      ["Length", measures ? measures.length.toFixed(1) : DASH],
+      ["Control points", points ? count(points) : DASH],
+      ["Time", made?.seconds ? `${made.seconds.toFixed(1)} s` : DASH],
+    ];
+  }
+}
+
+function matchOf(view: Made["finished"]["measures"]["views"][number]): Match {
+  return { name: view.name, share: match(view), asDrawn: view.bent ? view.soft_iou : null };
+}

@@ -1,0 +1,65 @@
+import { css, html } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import type { Studio, StudioState } from "../../state/studio";
+import { percent } from "../../state/words";
+import { Part } from "../../view/part";
+import { segmented, segmentedStyle } from "../shared/segmented";
+import { WORDS } from "../settings/setting-words";
+import { controls } from "../shared/shared";
+
+const BENDS: Readonly<Record<string, string>> = {
+  none: "The drawings stay exactly as they are",
+  little: "Lines may move by a pixel or two",
+  free: "Lines may move as far as it takes",
+};
+
+/** The two choices that matter most: how much to spend, and how far the drawings may bend. */
+@customElement("run-choices")
+export class RunChoices extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+
+  static override styles = [
+    controls,
+    segmentedStyle,
+    css`
+      :host {
+        display: grid;
+        gap: 16px;
+      }
+      p {
+        min-height: 18px;
+        margin: 4px 0 0;
+      }
+    `,
+  ];
+
+  override render() {
+    return html`
+      ${this.choice("preset", "best")}
+      <div>
+        ${this.choice("bend", "little")}
+        <p class="small quiet">${this.outlook()}</p>
+      </div>
+    `;
+  }
+
+  private choice(name: "preset" | "bend", usual: string) {
+    const { label, choices = {} } = WORDS[name]!;
+    return segmented({
+      legend: label,
+      name,
+      options: Object.entries(choices).map(([value, words]) => ({ value, words })),
+      value: this.studio.value(name) || usual,
+      locked: this.state.phase !== "idle",
+      choose: (value) => this.studio.set(name, value),
+    });
+  }
+
+  /** What the chosen bend means, and comes to as far as that is known before the fit. */
+  private outlook(): string {
+    const chosen = this.studio.value("bend") || "little";
+    const coverable = this.state.preview?.bends.find(({ bend }) => bend === chosen)?.coverable ?? null;
+    return `${BENDS[chosen] ?? ""}${coverable === null ? "" : `; ${percent(coverable)} can be shown`}.`;
+  }
+}

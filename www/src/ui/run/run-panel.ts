@@ -1,0 +1,217 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import type { Studio, StudioState } from "../../state/studio";
+import { timeLeft } from "../../state/words";
+import { count } from "../../view/count";
+import { Part } from "../../view/part";
+import { icons } from "../shared/icons";
+import { controls } from "../shared/shared";
+
+/** Run and what goes with it, and what is going on in words. Fires `draw` when a person wants to draw. */
+@customElement("run-panel")
+export class RunPanel extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: block;
+      }
+      .buttons {
+        display: grid;
+        grid-template-columns: repeat(4, minmax(0, 1fr));
+        gap: 8px;
+      }
+      button {
+        grid-column: span 2;
+        min-height: 40px;
+        padding: 0 8px;
+        white-space: nowrap;
+      }
+      .primary,
+      .wide {
+        grid-column: 1 / -1;
+      }
+      .primary svg.icon {
+        fill: currentColor;
+      }
+      .primary,
+      .pause {
+        min-height: 48px;
+      }
+      .pause {
+        grid-column: span 2;
+        font-weight: 600;
+      }
+      .bar {
+        height: 4px;
+        margin-block-start: 16px;
+        overflow: hidden;
+        border-radius: 2px;
+        background: var(--line);
+      }
+      .bar i {
+        display: block;
+        height: 100%;
+        background: var(--copper);
+        transform: scaleX(var(--share, 0));
+        transform-origin: left;
+        transition: transform 150ms linear;
+      }
+      :host(:dir(rtl)) .bar i {
+        transform-origin: right;
+      }
+      /* Two lines are kept free, so that nothing below moves when a run starts. */
+      p {
+        display: flex;
+        flex-wrap: wrap;
+        justify-content: space-between;
+        gap: 0 8px;
+        min-height: 37px;
+        margin: 8px 0 0;
+        font-size: 13px;
+        line-height: 18px;
+        color: var(--quiet);
+      }
+      .words {
+        flex: 1;
+        min-width: 60%;
+        overflow-wrap: anywhere;
+      }
+      .left {
+        white-space: nowrap;
+      }
+      .steps {
+        flex-basis: 100%;
+        white-space: nowrap;
+      }
+      @media (forced-colors: active) {
+        .bar {
+          border: 1px solid CanvasText;
+        }
+        .bar i {
+          forced-color-adjust: none;
+          background: Highlight;
+        }
+      }
+      /* A strip between stage and sheet: one row of buttons, one line of words. */
+      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
+        :host {
+          display: flex;
+          flex-direction: column;
+        }
+        .bar {
+          order: -1;
+          margin: 0 -16px 8px;
+          border-radius: 0;
+        }
+        .buttons {
+          display: flex;
+        }
+        button {
+          flex: 1 1 auto;
+          min-height: 44px;
+        }
+        .primary {
+          flex-grow: 3;
+        }
+        p {
+          flex-wrap: nowrap;
+          min-height: 18px;
+          margin: 4px 0;
+        }
+        .words {
+          overflow: hidden;
+          text-overflow: ellipsis;
+          white-space: nowrap;
+        }
+        .steps {
+          position: absolute;
+          clip-path: inset(50%);
+        }
+      }
+      @media (max-width: 479px) {
+        .going button:not(.pause) span {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { phase, progress } = this.state;
+    const percent = Math.round(100 * progress.share);
+    return html`
+      <div class="buttons ${phase === "idle" ? "" : "going"}">${phase === "idle" ? this.idle() : this.going()}</div>
+      <div class="bar" role="progressbar" aria-label="Progress of the run" aria-valuenow=${percent} aria-valuetext="${percent}%"><i></i></div>
+      <p data-phase=${phase}>
+        <span class="words">${this.words()}</span>
+        <span class="left">${phase === "running" && progress.secondsLeft !== null ? timeLeft(progress.secondsLeft) : nothing}</span>
+        <span class="steps">${this.steps()}</span>
+      </p>
+    `;
+  }
+
+  protected override updated(): void {
+    this.style.setProperty("--share", String(this.state.progress.share));
+  }
+
+  private idle(): TemplateResult {
+    const example = showsExample(this.state);
+    return html`
+      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example ? "Make it again" : "Run"}</button>
+      <button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>
+    `;
+  }
+
+  private going(): TemplateResult {
+    const { phase } = this.state;
+    const fitting = phase === "running" || phase === "paused";
+    return html`
+      <button class="pause" ?disabled=${!fitting} @click=${() => this.studio.pause()}>
+        ${phase === "paused" ? html`${icons.run} <span>Go on</span>` : html`${icons.pause} <span>Pause</span>`}
+      </button>
+      <button class="pause stop" ?disabled=${phase === "finishing"} aria-label="Stop" title="Stop and keep the best so far" @click=${() => this.studio.stop()}>
+        ${icons.stop} <span>Stop</span>
+      </button>
+      <button ?disabled=${!fitting} aria-label="Step" title="One step, then pause" @click=${() => this.studio.step()}>${icons.step} <span>Step</span></button>
+      <button ?disabled=${phase === "finishing"} aria-label="Reset" title="Give the run up and go back to before it" @click=${() => this.studio.reset()}>
+        ${icons.reset} <span>Reset</span>
+      </button>
+    `;
+  }
+
+  private words(): string {
+    const { phase, progress, said } = this.state;
+    if (phase === "finishing") return "Keeping the best wire so far";
+    if (phase === "paused") return "Paused";
+    if (phase !== "idle") return progress.words;
+    if (said) return said;
+    if (showsExample(this.state)) return "An example. Nothing leaves this device.";
+    return given(this.state) < 2 ? "A wire needs at least two drawings." : "Ready. Nothing leaves this device.";
+  }
+
+  private steps(): string {
+    const { phase, progress } = this.state;
+    if ((phase !== "running" && phase !== "paused") || progress.iterations === 0) return "";
+    const rate = phase === "running" && progress.iterationsPerSecond > 0 ? `, ${Math.round(progress.iterationsPerSecond)} a second` : "";
+    return `Step ${count(progress.iteration)} of ${count(progress.iterations)}${rate}`;
+  }
+
+  private readonly draw = (): void => {
+    if (given(this.state) > 0) this.studio.startOver();
+    this.dispatchEvent(new Event("draw"));
+  };
+}
+
+function given({ doc }: StudioState): number {
+  return Object.values(doc.papers).filter(Boolean).length;
+}
+
+/** The example as it came: its wire, and nothing that a person did to the drawings. */
+function showsExample({ doc, undo }: StudioState): boolean {
+  const asStamped = Object.values(doc.papers).every((paper) => paper?.layers.length === 1 && paper.layers[0]!.kind === "stamp");
+  return doc.made?.source === "example" && undo === null && asStamped;
+}

@@ -1,0 +1,221 @@
+import { css, html } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { RunEvent, Snapshot } from "../../engine/protocol";
+import type { Studio, StudioState } from "../../state/studio";
+import { count } from "../../view/count";
+import { eventWords } from "../../view/event-words";
+import { Part } from "../../view/part";
+import { icons } from "../shared/icons";
+import { controls } from "../shared/shared";
+
+const SHOWN_EACH_MS = 50;
+
+/** The run as time: back to any wire it went through, on from there, and the whole of it as a film. */
+@customElement("time-line")
+export class TimeLine extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  @state() private playing = false;
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        grid-template: auto 24px / auto minmax(0, 1fr) auto;
+        gap: 0 12px;
+        align-items: center;
+        min-height: 72px;
+        padding: 8px 16px;
+      }
+      .play {
+        grid-row: 1 / 3;
+      }
+      .label {
+        overflow: hidden;
+        font-size: 13px;
+        line-height: 20px;
+        color: var(--quiet);
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .label b {
+        font-weight: 600;
+        color: var(--ink);
+      }
+      .way {
+        position: relative;
+        grid-column: 2;
+        height: 24px;
+      }
+      .way input {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 24px;
+      }
+      /* The middle of the range's handle goes from 8 px to 8 px before the end. */
+      .marks {
+        position: absolute;
+        inset: 0 8px auto;
+        height: 0;
+        margin: 0;
+        padding: 0;
+        list-style: none;
+      }
+      .marks li {
+        position: absolute;
+        top: -3px;
+        width: 2px;
+        height: 7px;
+        border-radius: 1px;
+        background: var(--line-strong);
+      }
+      .marks .done {
+        background: var(--copper);
+      }
+      .acts {
+        grid-row: 1 / 3;
+        grid-column: 3;
+        display: flex;
+        gap: 8px;
+      }
+      .acts button {
+        min-height: 36px;
+        font-size: 13px;
+        white-space: nowrap;
+      }
+      .hint {
+        grid-column: 1 / -1;
+        grid-row: 1 / 3;
+        margin: 0;
+        text-align: center;
+      }
+      @media (max-width: 1279px) {
+        :host {
+          grid-template: 24px auto 40px / auto minmax(0, 1fr);
+        }
+        .acts {
+          grid-row: 3;
+          grid-column: 1 / -1;
+          justify-content: flex-end;
+        }
+        .hint {
+          grid-row: 1 / 4;
+        }
+      }
+      @media (pointer: coarse) {
+        .acts button {
+          min-height: 44px;
+        }
+      }
+      @media (forced-colors: active) {
+        .marks li {
+          background: CanvasText;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { track, looking } = this.state;
+    const snapshots = track?.snapshots ?? [];
+    if (!track || snapshots.length < 2) {
+      return html`<p class="hint small quiet">When a run is on, its way here shows: go back to any wire, and on from there.</p>`;
+    }
+    const at = looking ?? snapshots.length - 1;
+    const { iteration } = snapshots[at]!;
+    const words = `Step ${count(iteration)} of ${count(track.iterations)}`;
+    return html`
+      <button
+        class="play square"
+        aria-label=${this.playing ? "Stop watching" : "Watch it form"}
+        title=${this.playing ? "Stop watching" : "Watch it form"}
+        @click=${() => (this.playing ? this.rest() : this.play())}
+      >
+        ${this.playing ? icons.pause : icons.run}
+      </button>
+      <span class="label">${looking === null ? "The newest wire, " : "Looking back at "}<b>${words.charAt(0).toLowerCase()}${words.slice(1)}</b></span>
+      <div class="way">
+        <ul class="marks" aria-label="What happened">
+          ${track.events.map((event) => this.mark(event, track.iterations))}
+        </ul>
+        <input
+          type="range"
+          aria-label="The run, wire by wire"
+          aria-valuetext=${words}
+          min="0"
+          max=${track.iterations}
+          step="any"
+          .value=${String(iteration)}
+          @keydown=${this.press}
+          @input=${this.scrub}
+        />
+      </div>
+      <div class="acts">
+        <button ?disabled=${looking === null} @click=${() => looking !== null && void this.studio.continueFrom(looking)}>Go on from here</button>
+        <button ?disabled=${looking === null} @click=${() => this.studio.lookAt(null)}>${icons.newest} Newest</button>
+      </div>
+    `;
+  }
+
+  protected override updated(): void {
+    // Set by script: the page's policy allows no style attributes.
+    for (const mark of this.renderRoot.querySelectorAll<HTMLElement>(".marks li")) {
+      mark.style.insetInlineStart = `${100 * Number(mark.dataset["at"])}%`;
+    }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.rest();
+  }
+
+  private mark(event: RunEvent, iterations: number) {
+    const words = `${eventWords(event)}, at step ${count(event.iteration)}`;
+    return html`<li class=${event.kind} data-at=${event.iteration / Math.max(1, iterations)} title=${words}><span class="unseen">${words}</span></li>`;
+  }
+
+  private readonly scrub = (event: Event): void => {
+    this.rest();
+    const iteration = Number((event.target as HTMLInputElement).value);
+    const at = this.snapshots.findLastIndex((snapshot) => snapshot.iteration <= iteration);
+    this.look(Math.max(0, at));
+  };
+
+  /** Arrows go from wire to wire, however far apart they are. */
+  private readonly press = (event: KeyboardEvent): void => {
+    const forward = getComputedStyle(this).direction === "rtl" ? -1 : 1;
+    const by = { ArrowRight: forward, ArrowLeft: -forward, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    this.rest();
+    this.look(Math.max(0, (this.state.looking ?? this.snapshots.length - 1) + by));
+  };
+
+  private look(index: number): void {
+    this.studio.lookAt(index >= this.snapshots.length - 1 ? null : index);
+  }
+
+  private get snapshots(): readonly Snapshot[] {
+    return this.state.track?.snapshots ?? [];
+  }
+
+  /** From the first wire to the newest; where motion is not wanted, straight to the first, to go on by hand. */
+  private play(): void {
+    this.look(0);
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    this.playing = true;
+    this.timer = setInterval(() => {
+      const { looking } = this.state;
+      if (looking === null) this.rest();
+      else this.look(looking + 1);
+    }, SHOWN_EACH_MS);
+  }
+
+  private rest(): void {
+    clearInterval(this.timer);
+    this.playing = false;
+  }
+}

@@ -1,0 +1,174 @@
+import { css, html, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { ExportFormat } from "../../engine/protocol";
+import type { Studio, StudioState } from "../../state/studio";
+import { Part } from "../../view/part";
+import { download } from "./download";
+import { fileStem } from "./file-name";
+import { foldStyle } from "../shared/fold";
+import { icons } from "../shared/icons";
+import { controls } from "../shared/shared";
+
+interface FileKind {
+  readonly format: ExportFormat;
+  readonly name: string;
+  readonly use: string;
+}
+
+const FIRST: readonly FileKind[] = [
+  { format: "glb", name: "GLB", use: "For 3D viewers and AR" },
+  { format: "stl", name: "STL", use: "For 3D printing, 10 cm" },
+];
+const MORE: readonly FileKind[] = [
+  { format: "wire.json", name: "wire.json", use: "To open here again" },
+  { format: "obj", name: "OBJ", use: "For modelling programs" },
+  { format: "bend.csv", name: "Bend list", use: "To bend it by hand, CSV" },
+];
+
+/** The wire to take along: a link, or a file. */
+@customElement("save-panel")
+export class SavePanel extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  /** Takes the picture of the stage. */
+  @property({ attribute: false }) picture!: () => Promise<Blob>;
+  /** The link, where the clipboard is not to be had. */
+  @state() private byHand = "";
+  @state() private busy = "";
+  @state() private view = "front";
+  @query("#link") private field!: HTMLInputElement | null;
+
+  static override styles = [
+    controls,
+    foldStyle,
+    css`
+      :host {
+        display: grid;
+        gap: 8px;
+      }
+      .file {
+        justify-content: flex-start;
+        gap: 12px;
+        width: 100%;
+        min-height: 48px;
+        padding: 4px 12px;
+        text-align: start;
+      }
+      .file > svg {
+        color: var(--quiet);
+      }
+      .file span {
+        min-width: 0;
+        line-height: 1.3;
+      }
+      .file b {
+        display: block;
+        font-weight: 600;
+      }
+      .svg {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        gap: 8px;
+      }
+      select {
+        text-transform: capitalize;
+      }
+      .link {
+        min-height: 44px;
+        font-weight: 600;
+      }
+      input {
+        width: 100%;
+      }
+      p {
+        margin: 0;
+      }
+      .group {
+        gap: 8px;
+        padding-block-end: 8px;
+      }
+      details {
+        border-block-end: 1px solid var(--line);
+      }
+    `,
+  ];
+
+  override render() {
+    const none = !this.state.doc.made || this.state.phase !== "idle";
+    const views = this.state.views.length ? this.state.views.map(({ name }) => name) : ["front", "side", "top"];
+    return html`
+      <h2>Save and share</h2>
+      <button class="link" ?disabled=${none} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
+      ${this.byHand
+        ? html`<label class="small quiet" for="link">Copy it from here:</label><input id="link" type="text" readonly .value=${this.byHand} />`
+        : nothing}
+      <p class="small quiet">The link carries the whole wire; no server keeps it.</p>
+      ${FIRST.map((kind) => this.file(kind, none))}
+      <button class="file" ?disabled=${none || this.busy !== ""} @click=${() => void this.savePicture()}>
+        ${icons.camera}<span><b>PNG</b><span class="small quiet">A picture of the stage</span></span>
+      </button>
+      <div class="svg">
+        ${this.file({ format: "svg", name: "SVG", use: "Lines of one view" }, none)}
+        <select aria-label="View of the SVG" ?disabled=${none} @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
+          ${views.map((name) => html`<option value=${name} ?selected=${name === this.view}>${name}</option>`)}
+        </select>
+      </div>
+      <details>
+        <summary>More files ${icons.more}</summary>
+        <div class="group">${MORE.map((kind) => this.file(kind, none))}</div>
+      </details>
+      ${this.state.keeping === "off"
+        ? html`<p class="small quiet">This browser keeps nothing between visits; save your wire to a file or link.</p>`
+        : nothing}
+    `;
+  }
+
+  async copyLink(): Promise<void> {
+    const link = this.studio.link(location.href);
+    if (!link) return;
+    history.replaceState(null, "", link);
+    try {
+      await navigator.clipboard.writeText(link);
+      this.byHand = "";
+      this.studio.say("Link copied. It carries the whole wire.");
+    } catch {
+      this.byHand = link;
+      await this.updateComplete;
+      this.field?.select();
+      this.studio.say("The link is in the address bar, and here to copy.");
+    }
+  }
+
+  private file({ format, name, use }: FileKind, none: boolean) {
+    return html`<button class="file" ?disabled=${none || this.busy !== ""} aria-busy=${this.busy === format} @click=${() => void this.save(format)}>
+      ${format === "wire.json" ? icons.file : icons.download}<span><b>${name}</b><span class="small quiet">${use}</span></span>
+    </button>`;
+  }
+
+  private async save(format: ExportFormat): Promise<void> {
+    this.busy = format;
+    const view = this.state.views.some(({ name }) => name === this.view) ? this.view : (this.state.views[0]?.name ?? "front");
+    const blob = await this.studio.export(format, view);
+    this.busy = "";
+    if (blob) this.keep(blob, format === "svg" ? `-${view}.svg` : format === "bend.csv" ? "-bends.csv" : `.${format}`);
+  }
+
+  private async savePicture(): Promise<void> {
+    this.busy = "png";
+    try {
+      this.keep(await this.picture(), ".png");
+    } catch (error) {
+      console.error(error);
+      this.studio.warn("The picture could not be taken. Nothing is lost; a screenshot of the page does it, too.");
+    }
+    this.busy = "";
+  }
+
+  private keep(blob: Blob, ending: string): void {
+    const { made, papers } = this.state.doc;
+    const labels = made?.track ? made.track.sheets.map(({ paper }) => paper.label) : made?.source === "example" ? Object.values(papers).map((paper) => paper?.label ?? "") : [];
+    const name = fileStem(labels) + ending;
+    download(blob, name);
+    this.studio.say(`Saved ${name}`);
+  }
+}

@@ -1,0 +1,389 @@
+import { css, html, nothing, svg, type PropertyValues, type TemplateResult } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import { keyed } from "lit/directives/keyed.js";
+import { LOOK_NAMES, lookOf, type LookName } from "../../embed/looks";
+import type { WireShape } from "../../embed/shape";
+import { Stage, StageUnavailable, type ViewName } from "../../embed/stage";
+import { nextTask } from "../../state/next-task";
+import { Part } from "../../view/part";
+import { controls } from "../shared/shared";
+import { isDark } from "../app/theme";
+
+const VIEWS: readonly ViewName[] = ["room", "front", "side", "top"];
+const LOOK_WORDS: Readonly<Record<LookName, string>> = {
+  copper: "Copper",
+  steel: "Black steel",
+  parameter: "Along the wire",
+  width: "By width",
+};
+const VIEW_WORDS: Readonly<Record<ViewName, string>> = {
+  room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
+  front: "Seen straight from the front, where the wire shows the first drawing.",
+  side: "Seen straight from the side, where the wire shows the second drawing.",
+  top: "Seen straight from above, where the wire shows the third drawing.",
+};
+const TURN_RAD = Math.PI / 8;
+const ZOOM = 1.25;
+
+const icon = (path: string): TemplateResult => html`<svg class="icon" viewBox="0 0 20 20" aria-hidden="true">${svg`<path d=${path} />`}</svg>`;
+const ICONS = {
+  left: icon("M3.5 4v4h4M4 8a7 7 0 1 1-.6 4.5"),
+  right: icon("M16.5 4v4h-4M16 8a7 7 0 1 0 .6 4.5"),
+  closer: icon("M10 4v12M4 10h12"),
+  further: icon("M4 10h12"),
+  room: icon("M10 10.5V3m0 7.5L3 14.5m7-4 7 4M3 14.5V6l7-3 7 3v8.5L10 18z"),
+  more: icon("M3 6h6m4 0h4M3 14h2m4 0h8M9 6a2 2 0 1 0 4 0 2 2 0 0 0-4 0M5 14a2 2 0 1 0 4 0 2 2 0 0 0-4 0"),
+};
+
+interface ButtonState {
+  readonly pressed?: boolean;
+  readonly expanded?: boolean;
+}
+
+/**
+ * The stage with its controls. Tells `hold` when a person takes hold of the camera, and `look-change` with
+ * `{ look, room }` when they change how the wire looks.
+ */
+@customElement("wire-stage")
+export class WireStage extends Part {
+  @property() look: LookName = "copper";
+  /** Off: the wire alone. */
+  @property({ type: Boolean }) room = true;
+  @query("canvas") private canvas!: HTMLCanvasElement;
+  @state() private problem = false;
+  @state() private lost = false;
+  @state() private view: ViewName | null = "room";
+  /** On narrow stages: whether the second row of controls is there. */
+  @state() private open = false;
+  /** A canvas lives as long as its context; another life, another canvas. */
+  @state() private life = 0;
+  private stage: Stage | null = null;
+  private wire: WireShape | null = null;
+  private swaying = true;
+  /** Whether a worker draws; where it turns out not to be able to, the page does. */
+  private aside = typeof Worker === "function" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        position: relative;
+        display: flex;
+        flex-direction: column;
+        overflow: hidden;
+        container-type: inline-size;
+        background: var(--stage);
+      }
+      canvas {
+        display: block;
+        flex: 1;
+        min-height: 0;
+        width: 100%;
+        mask-image: linear-gradient(to right, transparent, #000 6%, #000 94%, transparent), linear-gradient(transparent, #000 6%, #000 94%, transparent);
+        mask-composite: intersect;
+        touch-action: none;
+        cursor: grab;
+      }
+      canvas:active {
+        cursor: grabbing;
+      }
+      /* The mask would take the ring as well. */
+      canvas:focus-visible {
+        outline: none;
+      }
+      canvas:focus-visible ~ .ring {
+        position: absolute;
+        inset: 4px;
+        border: 2px solid var(--copper);
+        border-radius: 6px;
+        pointer-events: none;
+      }
+      .bar {
+        position: relative;
+        display: flex;
+        flex: none;
+        flex-wrap: wrap;
+        align-items: center;
+        justify-content: center;
+        gap: 8px;
+        padding: 4px 8px 16px;
+      }
+      .group {
+        display: flex;
+        flex: none;
+        padding: 3px;
+        border: 1px solid var(--line);
+        border-radius: 9px;
+        background: var(--raised);
+        box-shadow: var(--shadow);
+      }
+      .group button {
+        min-height: 32px;
+        padding: 0 12px;
+        border-color: transparent;
+        background: none;
+        font-size: 13px;
+      }
+      .group button.square {
+        width: 32px;
+        padding: 0;
+      }
+      .group button:hover {
+        background: color-mix(in srgb, var(--ink) 7%, transparent);
+      }
+      .views button {
+        min-width: 56px;
+        text-transform: capitalize;
+      }
+      .group button[aria-pressed="true"] {
+        background: var(--copper-wash, color-mix(in srgb, var(--copper) 18%, transparent));
+        color: var(--copper-text);
+        font-weight: 600;
+      }
+      .more {
+        display: flex;
+        gap: 8px;
+      }
+      .group select {
+        min-height: 32px;
+        padding: 0 4px 0 8px;
+        border: 0;
+        background: none;
+        font-size: 13px;
+        cursor: pointer;
+      }
+      .toggle {
+        display: none;
+      }
+      @media (pointer: coarse) {
+        .bar {
+          padding-bottom: 8px;
+        }
+        .group :is(button, select) {
+          min-height: 44px;
+        }
+        .group button.square {
+          width: 44px;
+        }
+      }
+      @container (max-width: 660px) {
+        .bar {
+          flex-wrap: nowrap;
+        }
+        .toggle {
+          display: flex;
+        }
+        .more {
+          position: absolute;
+          bottom: 100%;
+          left: 0;
+          right: 0;
+          justify-content: center;
+          padding: 0 8px;
+        }
+        .more .group:last-child {
+          flex: 0 1 auto;
+          min-width: 0;
+        }
+        .more select {
+          min-width: 0;
+          text-overflow: ellipsis;
+        }
+        .more:not(.open) {
+          display: none;
+        }
+      }
+      @media (forced-colors: active) {
+        .group button[aria-pressed="true"] {
+          forced-color-adjust: none;
+          background: Highlight;
+          color: HighlightText;
+        }
+      }
+      .problem,
+      .lost {
+        max-width: 40ch;
+        margin: auto;
+        padding: 24px;
+        text-align: center;
+        text-wrap: balance;
+      }
+      .problem p,
+      .lost {
+        color: var(--quiet);
+      }
+      .problem h2 {
+        font-size: 15px;
+        color: var(--ink);
+      }
+      .problem svg {
+        width: 96px;
+        height: 96px;
+        stroke-width: 0.6;
+        color: var(--copper);
+      }
+      .lost {
+        position: absolute;
+        inset: 0 0 56px;
+        display: grid;
+        place-content: center;
+      }
+    `,
+  ];
+
+  override render() {
+    if (this.problem) {
+      return html`<div class="problem" role="status">
+        ${ICONS.room}
+        <h2>This browser cannot draw in 3D here</h2>
+        <p>
+          WebGL 2 is missing or switched off. Everything else works: wires are made, measured, saved and shared as ever, and
+          the small pictures show yours from the front, the side and above.
+        </p>
+      </div>`;
+    }
+    return html`
+      ${keyed(
+        this.life,
+        html`<canvas tabindex="0" role="application" aria-label="The wire in 3D" aria-describedby="view keys"></canvas>`,
+      )}
+      <div class="ring"></div>
+      ${this.lost ? html`<p class="lost" role="status">The graphics card is busy elsewhere. The picture comes back by itself.</p>` : nothing}
+      <p id="view" class="unseen">${this.view ? VIEW_WORDS[this.view] : "Turned by hand."}</p>
+      <p id="keys" class="unseen">
+        Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the side and the top, F the
+        whole room.
+      </p>
+      <div class="bar">
+        <div class="group views" role="group" aria-label="Look from">
+          ${VIEWS.map(
+            (view) => html`<button aria-pressed=${String(view === this.view)} @click=${() => this.take(() => this.flyTo(view))}>${view}</button>`,
+          )}
+        </div>
+        <div class="group toggle">
+          ${this.square("more", "Turn, zoom and look", () => (this.open = !this.open), { expanded: this.open })}
+        </div>
+        <div id="more" class=${this.open ? "more open" : "more"}>
+          <div class="group" role="group" aria-label="Turn and zoom">
+            ${this.square("left", "Turn left", () => this.stage?.step(-TURN_RAD, 1))}
+            ${this.square("right", "Turn right", () => this.stage?.step(TURN_RAD, 1))}
+            ${this.square("further", "Zoom out", () => this.stage?.step(0, ZOOM))}
+            ${this.square("closer", "Zoom in", () => this.stage?.step(0, 1 / ZOOM))}
+          </div>
+          <div class="group" role="group" aria-label="Look">
+            <select aria-label="Look of the wire" title="Look of the wire" @change=${this.chooseLook}>
+              ${LOOK_NAMES.map((look) => html`<option value=${look} ?selected=${look === this.look}>${LOOK_WORDS[look]}</option>`)}
+            </select>
+            ${this.square("room", "Room with the shadows", this.toggleRoom, { pressed: this.room })}
+          </div>
+        </div>
+      </div>
+    `;
+  }
+
+  private square(name: keyof typeof ICONS, label: string, action: () => void, { pressed, expanded }: ButtonState = {}): TemplateResult {
+    return html`<button
+      class="square"
+      aria-label=${label}
+      title=${label}
+      aria-pressed=${pressed === undefined ? nothing : String(pressed)}
+      aria-expanded=${expanded === undefined ? nothing : String(expanded)}
+      aria-controls=${expanded === undefined ? nothing : "more"}
+      @click=${action}
+    >
+      ${ICONS[name]}
+    </button>`;
+  }
+
+  setWire(wire: WireShape | null): void {
+    this.wire = wire;
+    this.stage?.setWire(wire);
+  }
+
+  flyTo(view: ViewName): void {
+    this.stage?.flyTo(view);
+  }
+
+  /** Whether the camera sways while nobody holds it. */
+  sway(on: boolean): void {
+    this.swaying = on;
+    this.stage?.sway(on);
+  }
+
+  /** Front, side, top, each for a moment, and back to the room; ends when somebody takes hold. */
+  tour(): void {
+    this.stage?.tour();
+  }
+
+  /** A PNG of what the stage shows. */
+  async picture(widthPx: number, heightPx: number): Promise<Blob> {
+    if (!this.stage) throw new Error("This browser cannot draw in 3D here, so there is no picture to save.");
+    return this.stage.picture(widthPx, heightPx);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    addEventListener("theme-change", this.relook);
+    if (this.hasUpdated) this.life++;
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    removeEventListener("theme-change", this.relook);
+    this.stage?.dispose();
+    this.stage = null;
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    if (!this.stage && !this.problem && this.isConnected) void nextTask().then(() => this.start());
+    else if (changed.has("look") || changed.has("room")) this.relook();
+  }
+
+  private start(): void {
+    if (this.stage || this.problem || !this.isConnected) return;
+    try {
+      const worker = this.aside ? new Worker(new URL("../../embed/backstage-worker.ts", import.meta.url), { type: "module", name: "stage" }) : null;
+      const events = {
+        hold: () => this.tell("hold"),
+        view: (view: ViewName | null) => (this.view = view),
+        lost: (lost: boolean) => (this.lost = lost),
+        unavailable: () => this.stayHere(),
+      };
+      this.stage = new Stage(this.canvas, lookOf(this.look, isDark(), this.room), events, worker);
+      this.stage.setWire(this.wire);
+      this.stage.sway(this.swaying);
+    } catch (error) {
+      if (!(error instanceof StageUnavailable)) console.error(error);
+      this.problem = true;
+    }
+  }
+
+  private stayHere(): void {
+    this.stage?.dispose();
+    this.stage = null;
+    this.aside = false;
+    this.life++;
+  }
+
+  private readonly relook = (): void => this.stage?.setLook(lookOf(this.look, isDark(), this.room));
+
+  /** Something a person does with the camera by a button. */
+  private take(action: () => void): void {
+    this.tell("hold");
+    action();
+  }
+
+  private chooseLook(event: Event): void {
+    this.look = (event.target as HTMLSelectElement).value as LookName;
+    this.tell("look-change", { look: this.look, room: this.room });
+  }
+
+  private readonly toggleRoom = (): void => {
+    this.room = !this.room;
+    this.tell("look-change", { look: this.look, room: this.room });
+  };
+
+  private tell(name: string, detail?: unknown): void {
+    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
+  }
+}
