@@ -3,7 +3,7 @@
 import { openShareCode, ShareCodeError } from "../embed/share/code";
 import type { WireShape } from "../embed/shape";
 import { EngineClient, Problem } from "../engine/client";
-import type { Drawing, ExportFormat, Finished, Picture, Reading, SettingsTable, SettingValues } from "../engine/protocol";
+import type { Drawing, ExportFormat, Finished, Reading, SettingsTable, SettingValues } from "../engine/protocol";
 import { sheetOf } from "../engine/sheet";
 import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./keeping/document";
 import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example/example";
@@ -122,10 +122,10 @@ export class Studio {
   async givePicture(slot: Slot, file: Blob, name: string): Promise<void> {
     this.setPad(slot, { ...QUIET, busy: true });
     try {
-      const { note, ...pixels } = await readPicture(file, name);
-      const picture: Picture = { name, ...pixels };
+      const { note, width, height, rgba } = await readPicture(file, name);
+      const picture = { name, width, height, rgba: new Blob([rgba]) };
       const reading: Reading = { ink: "auto", threshold: 0 };
-      const found = await this.engine.call("read", { picture, reading });
+      const found = await this.engine.call("read", { picture: { ...picture, rgba }, reading }, [rgba.buffer]);
       const layer: PictureLayer = { kind: "picture", picture, reading, found, lay: { mirrored: false, quarterTurns: 0 } };
       this.setPaper(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, `Put ${name} on the ${slot} pad`);
       this.setPad(slot, { ...QUIET, note });
@@ -142,7 +142,8 @@ export class Studio {
     if (!paper || !layer) return;
     this.setPad(slot, { ...QUIET, busy: true });
     try {
-      const found = await this.engine.call("read", { picture: layer.picture, reading });
+      const rgba = new Uint8ClampedArray(await layer.picture.rgba.arrayBuffer());
+      const found = await this.engine.call("read", { picture: { ...layer.picture, rgba }, reading }, [rgba.buffer]);
       // Unless the pad was drawn on meanwhile.
       if (this.doc.papers[slot] === paper) {
         this.edit("Find the ink in another way", {

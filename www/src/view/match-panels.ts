@@ -32,6 +32,7 @@ export class MatchPanels extends Part {
   private stale = false;
   private sampled = false;
   private readonly inks = new Map<string, HTMLCanvasElement>();
+  private colours: { ink: string; copper: string } | null = null;
   private next = 0;
   private left = 0;
   private frame = 0;
@@ -108,7 +109,8 @@ export class MatchPanels extends Part {
     this.repaint();
   }
 
-  /** One step a frame, so that none weighs on another: sampling the wire, and each view. */  repaint(): void {
+  /** One step a frame, so that none weighs on another: sampling the wire, and each view. */
+  repaint(): void {
     this.left = Math.max(1, this.views.length);
     this.frame ||= requestAnimationFrame(this.paintNext);
   }
@@ -147,23 +149,30 @@ export class MatchPanels extends Part {
 
   private paintView(canvas: HTMLCanvasElement, view: View): void {
     const context = canvas.getContext("2d", PLAIN)!;
-    const style = getComputedStyle(this);
+    const { ink: dark, copper } = (this.colours ??= this.coloursNow());
     context.clearRect(0, 0, SIZE_PX, SIZE_PX);
     const target = this.targets.find((target) => target.view.name === view.name);
     if (target) {
       let ink = this.inks.get(view.name);
       if (!ink) {
         ink = document.createElement("canvas");
-        paintInk(ink, target, style.getPropertyValue("--copper"), 0.6);
+        paintInk(ink, target, copper, 0.6);
         this.inks.set(view.name, ink);
       }
       context.drawImage(ink, 0, 0, SIZE_PX, SIZE_PX);
     }
-    if (this.samples) paintWire(context, this.samples, view, SIZE_PX, style.getPropertyValue("--ink"));
+    if (this.samples) paintWire(context, this.samples, view, SIZE_PX, dark);
+  }
+
+  /** Asking for them makes the browser work out every style of the page that is not known yet. */
+  private coloursNow(): { ink: string; copper: string } {
+    const style = getComputedStyle(this);
+    return { ink: style.getPropertyValue("--ink"), copper: style.getPropertyValue("--copper") };
   }
 
   /** The colours changed. */
   recolour(): void {
+    this.colours = null;
     this.inks.clear();
     this.repaint();
   }

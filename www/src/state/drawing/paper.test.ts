@@ -10,7 +10,7 @@ function picture(width: number, height: number, ink: (x: number, y: number) => n
   const pixels = new Uint8Array(width * height).map((_, i) => ink(i % width, Math.floor(i / width)));
   const layer = {
     kind: "picture",
-    picture: { name: "cat.png", width, height, rgba: new Uint8ClampedArray(4 * width * height) },
+    picture: { name: "cat.png", width, height, rgba: new Blob() },
     reading: { ink: "auto", threshold: 0 },
     found: { width, height, ink: pixels, polarity: "dark" },
     lay: { mirrored: false, quarterTurns: 0 },

@@ -1,6 +1,6 @@
 /** A pad's drawing: layers of ink on a square sheet, and what may be done to it. Immutable: every change is a new sheet. */
 
-import type { Drawing, FoundInk, Picture, Reading } from "../../engine/protocol";
+import type { Drawing, FoundInk, Reading } from "../../engine/protocol";
 import { fitted, laid, laidPoints, over, quarters, stroke, thinned } from "./stamp";
 
 /** Side of a sheet, px; y down. */
@@ -12,10 +12,19 @@ export interface Lay {
   readonly quarterTurns: number;
 }
 
+/** A picture to find ink in once more. */
+export interface KeptPicture {
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  /** RGBA, as a blob: keeping it costs next to nothing. */
+  readonly rgba: Blob;
+}
+
 /** A picture and the ink the core found in it; fitted onto the sheet without stretching. */
 export interface PictureLayer {
   readonly kind: "picture";
-  readonly picture: Picture;
+  readonly picture: KeptPicture;
   readonly reading: Reading;
   readonly found: FoundInk;
   readonly lay: Lay;

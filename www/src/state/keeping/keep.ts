@@ -9,12 +9,16 @@ import type { Track } from "../run/track";
 export type KeptRun = Omit<Track, "snapshots">;
 
 interface Schema extends DBSchema {
-  /** `papers`, `settings`, `made`: the document in parts, so that a stroke does not write a whole run again. */
-  document: { key: keyof Doc; value: Doc[keyof Doc] };
+  /** The document in parts, so that a stroke writes its own sheet and nothing else. */
+  document: { key: keyof Parts; value: Parts[keyof Parts] };
   run: { key: "now"; value: KeptRun };
   /** Of the run under way, by iteration. */
   snapshots: { key: number; value: Snapshot };
 }
+
+type Parts = Doc["papers"] & Omit<Doc, "papers">;
+
+const partsOf = ({ papers, ...rest }: Doc): Parts => ({ ...papers, ...rest });
 
 const NAME = "wire4d";
 const VERSION = 1;
@@ -28,7 +32,7 @@ export interface Kept {
 export class Keep {
   /** Writes come one after the other. */
   private queue: Promise<unknown> = Promise.resolve();
-  private saved: Partial<Doc> = {};
+  private saved: Partial<Parts> = {};
 
   private constructor(
     private readonly db: IDBPDatabase<Schema>,
@@ -56,25 +60,26 @@ export class Keep {
 
   async load(): Promise<Kept> {
     const { db } = this;
-    const [papers, settings, made, run, snapshots] = await Promise.all([
-      db.get("document", "papers"),
-      db.get("document", "settings"),
-      db.get("document", "made"),
+    const [names, values, run, snapshots] = await Promise.all([
+      db.getAllKeys("document"),
+      db.getAll("document"),
       db.get("run", "now"),
       db.getAll("snapshots"),
     ]);
-    const doc = papers && settings ? ({ papers, settings, made: made ?? null } as Doc) : null;
-    this.saved = doc ?? {};
+    this.saved = Object.fromEntries(names.map((name, i) => [name, values[i]]));
+    const { front = null, side = null, top = null, settings, made = null } = this.saved;
+    const doc = settings ? { papers: { front, side, top }, settings, made } : null;
     return { doc, run: run ? { ...run, snapshots } : null };
   }
 
   saveDoc(doc: Doc): Promise<void> {
     return this.write(async (db) => {
-      const changed = (Object.keys(doc) as (keyof Doc)[]).filter((part) => doc[part] !== this.saved[part]);
+      const parts = partsOf(doc);
+      const changed = (Object.keys(parts) as (keyof Parts)[]).filter((part) => parts[part] !== this.saved[part]);
       if (changed.length === 0) return;
       const transaction = db.transaction("document", "readwrite");
-      await Promise.all([...changed.map((part) => transaction.store.put(doc[part], part)), transaction.done]);
-      this.saved = doc;
+      await Promise.all([...changed.map((part) => transaction.store.put(parts[part], part)), transaction.done]);
+      this.saved = parts;
     });
   }
 

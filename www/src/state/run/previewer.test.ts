@@ -30,6 +30,7 @@ beforeEach(() => {
   previewer = new Previewer(
     (drawings) => new Promise((answer, fail) => asked.push({ drawings, answer, fail })),
     (change) => (state = { ...state, ...change }),
+    () => Promise.resolve(),
   );
 });
 afterEach(() => vi.useRealTimers());

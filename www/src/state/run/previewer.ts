@@ -4,6 +4,7 @@ import { Cancelled } from "../../engine/client";
 import type { BendPreview, Drawing, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
 import { SLOTS, type Doc, type Slot } from "../keeping/document";
 import { drawingOf, isBlank, type Paper } from "../drawing/paper";
+import { nextTask } from "../next-task";
 import { explain } from "../words";
 
 /** What the drawings come to, by the pads they are in. */
@@ -40,6 +41,8 @@ export class Previewer {
   constructor(
     private readonly ask: (drawings: readonly Drawing[], settings: SettingValues) => Promise<Preview>,
     private readonly show: (state: Partial<PreviewState>) => void,
+    /** Lets the browser do something else between two sheets. */
+    private readonly pause: () => Promise<void> = nextTask,
   ) {}
 
   /** To be called after every change of the document. */
@@ -67,19 +70,14 @@ export class Previewer {
     if (this.working) return;
     this.working = true;
     const doc = this.wanted!;
-    const sheets = sheetsOf(doc);
-    if (sheets.length < 2) {
-      this.working = false;
-      this.shownPapers = null;
-      this.show(NO_PREVIEW);
-      return;
-    }
     const current = (): boolean => this.wanted === doc;
     try {
-      const preview = await this.ask(sheets.map(({ slot, paper }) => drawingOf(paper, slot)), doc.settings);
+      const drawings = await this.drawingsOf(doc);
+      const preview = current() && drawings.length >= 2 ? await this.ask(drawings, doc.settings) : null;
       if (current()) {
-        this.shownPapers = doc.papers;
-        this.show({ preview: bySlot(preview, sheets.map(({ slot }) => slot)), previewBusy: false, previewProblem: "" });
+        this.shownPapers = preview && doc.papers;
+        const bySlots = preview && bySlot(preview, drawings.map(({ name }) => name));
+        this.show({ preview: bySlots, previewBusy: false, previewProblem: "" });
       }
     } catch (error) {
       // The worker was ended for another reason: once more.
@@ -87,7 +85,19 @@ export class Previewer {
       else if (current()) this.show({ preview: null, previewBusy: false, previewProblem: explain(error, "The preview") });
     }
     this.working = false;
-    if (!current() && this.wanted && sheetsOf(this.wanted).length >= 2) void this.work();
+    if (!current() && this.wanted) void this.work();
+  }
+
+  /** Each sheet is put together in a task of its own. */
+  private async drawingsOf({ papers }: Doc): Promise<(Drawing & { name: Slot })[]> {
+    const drawings: (Drawing & { name: Slot })[] = [];
+    for (const slot of SLOTS) {
+      const paper = papers[slot];
+      if (!paper) continue;
+      await this.pause();
+      if (!isBlank(paper)) drawings.push({ ...drawingOf(paper, slot), name: slot });
+    }
+    return drawings;
   }
 }
 

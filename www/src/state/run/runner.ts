@@ -2,8 +2,9 @@
 
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Finished, Frame, News, Snapshot, Target, View } from "../../engine/protocol";
+import type { Drawing, Finished, Frame, News, Snapshot, Target, View } from "../../engine/protocol";
 import { drawingOf } from "../drawing/paper";
+import { nextTask } from "../next-task";
 import { upTo, withEvent, withFrame, withSnapshot, type Track } from "./track";
 import { asSentence } from "../words";
 
@@ -60,7 +61,11 @@ export class Runner {
     this.newest = null;
     this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
     try {
-      const drawings = track.sheets.map(({ slot, paper }) => drawingOf(paper, slot));
+      const drawings: Drawing[] = [];
+      for (const { slot, paper } of track.sheets) {
+        await nextTask();
+        drawings.push(drawingOf(paper, slot));
+      }
       return await this.engine.call("run", { drawings, settings: track.settings, from });
     } catch (error) {
       if (error instanceof Cancelled) return null;
