@@ -201,8 +201,8 @@ export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "wire.json" | "bend.c
 /** What the page can ask for: arguments and answer by name. */
 export interface Calls {
   settings: { arguments: Record<never, never>; answer: SettingsTable };
-  /** What the core sees in a picture. */
-  read: { arguments: { picture: Picture; reading: Reading }; answer: FoundInk };
+  /** What the core sees in a picture, fitted onto the middle of a square sheet and never stretched. */
+  read: { arguments: { picture: Picture; reading: Reading; sidePx: number }; answer: FoundInk };
   /** What two or three drawings come to before a run. */
   preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
   /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same drawings. */

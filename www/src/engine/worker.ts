@@ -2,6 +2,7 @@
 
 import { openShareCode } from "../embed/share/code";
 import { loaded } from "./core";
+import { fitted } from "./fit";
 import type { Answer, Calls, Control, Finished, News, Request } from "./protocol";
 import { Pull } from "./pull";
 import { sheetOf } from "./sheet";
@@ -12,7 +13,10 @@ let pull: Pull | null = null;
 
 const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<Calls[K]["answer"]> } = {
   settings: async () => (await loaded()).settings(),
-  read: async ({ picture, reading }) => (await loaded()).read(picture, reading),
+  read: async ({ picture, reading, sidePx }) => {
+    const found = (await loaded()).read(picture, reading);
+    return { ...found, width: sidePx, height: sidePx, ink: fitted(found, sidePx) };
+  },
   preview: async ({ drawings, settings }) => (await loaded()).preview(drawings, settings),
   run,
   sheet: ({ drawing }) => sheetOf(drawing),

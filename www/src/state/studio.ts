@@ -9,7 +9,7 @@ import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./keeping/document
 import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example/example";
 import { sortFiles } from "./drawing/files";
 import { known, presetOf, problemWith, readFragment, writeFragment } from "./address/fragment";
-import { mirrored, turned, type Paper, type PictureLayer } from "./drawing/paper";
+import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./drawing/paper";
 import { readPicture } from "./drawing/picture";
 import { NO_PROJECT, Project, type ProjectState } from "./keeping/project";
 import { NO_PREVIEW, Previewer, sheetsOf, type PadRemedy, type PreviewState } from "./run/previewer";
@@ -125,7 +125,7 @@ export class Studio {
       const { note, width, height, rgba } = await readPicture(file, name);
       const picture = { name, width, height, rgba: new Blob([rgba]) };
       const reading: Reading = { ink: "auto", threshold: 0 };
-      const found = await this.engine.call("read", { picture: { ...picture, rgba }, reading }, [rgba.buffer]);
+      const found = await this.engine.call("read", { picture: { ...picture, rgba }, reading, sidePx: PAPER_PX }, [rgba.buffer]);
       const layer: PictureLayer = { kind: "picture", picture, reading, found, lay: { mirrored: false, quarterTurns: 0 } };
       this.setPaper(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, `Put ${name} on the ${slot} pad`);
       this.setPad(slot, { ...QUIET, note });
@@ -143,7 +143,7 @@ export class Studio {
     this.setPad(slot, { ...QUIET, busy: true });
     try {
       const rgba = new Uint8ClampedArray(await layer.picture.rgba.arrayBuffer());
-      const found = await this.engine.call("read", { picture: { ...layer.picture, rgba }, reading }, [rgba.buffer]);
+      const found = await this.engine.call("read", { picture: { ...layer.picture, rgba }, reading, sidePx: PAPER_PX }, [rgba.buffer]);
       // Unless the pad was drawn on meanwhile.
       if (this.doc.papers[slot] === paper) {
         this.edit("Find the ink in another way", {

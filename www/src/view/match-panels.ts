@@ -7,6 +7,8 @@ import { paintInk, paintWire, PLAIN } from "./paint";
 import { Part } from "./part";
 
 const SIZE_PX = 192;
+/** How long a frame paints; a slow device may need as long again for what it began. */
+const SLICE_MS = 4;
 /** Fewer than on the stage: these are small. */
 const SAMPLES = 1600;
 
@@ -33,8 +35,11 @@ export class MatchPanels extends Part {
   private sampled = false;
   private readonly inks = new Map<string, HTMLCanvasElement>();
   private colours: { ink: string; copper: string } | null = null;
-  private next = 0;
+  /** What is being painted now, whose turn is next, and how many are left to paint. */
+  private job: Generator<void, void> | null = null;
+  private turn = 0;
   private left = 0;
+  private readonly aside = Object.assign(document.createElement("canvas"), { width: SIZE_PX, height: SIZE_PX });
   private frame = 0;
 
   static override styles = css`
@@ -109,10 +114,10 @@ export class MatchPanels extends Part {
     this.repaint();
   }
 
-  /** One step a frame, so that none weighs on another: sampling the wire, and each view. */
+  /** A little a frame, so that no picture keeps the page from anything. */
   repaint(): void {
     this.left = Math.max(1, this.views.length);
-    this.frame ||= requestAnimationFrame(this.paintNext);
+    this.frame ||= requestAnimationFrame(this.paintOn);
   }
 
   protected override updated(changed: PropertyValues<this>): void {
@@ -128,29 +133,34 @@ export class MatchPanels extends Part {
     this.frame = 0;
   }
 
-  private readonly paintNext = (): void => {
+  private readonly paintOn = (): void => {
     this.frame = 0;
-    // Never twice in a row: where a wire comes every frame, there has to be time to paint one.
-    if (this.stale && !this.sampled) {
-      this.samples = this.wire && this.sampler.sample(this.wire, samplesPerSpan(this.wire, SAMPLES, 1));
-      this.stale = false;
-      this.sampled = true;
-    } else {
-      this.sampled = false;
-      const canvases = this.renderRoot.querySelectorAll("canvas");
-      const index = this.next++ % Math.max(1, this.views.length);
-      const view = this.views[index];
-      const canvas = canvases[index];
-      if (view && canvas) this.paintView(canvas, view);
-      this.left--;
-    }
-    if (this.left > 0) this.frame = requestAnimationFrame(this.paintNext);
+    const until = performance.now() + SLICE_MS;
+    do {
+      this.job ??= this.next();
+      if (this.job.next().done) this.job = null;
+    } while ((this.job || this.left > 0) && performance.now() < until);
+    if (this.job || this.left > 0) this.frame = requestAnimationFrame(this.paintOn);
   };
 
-  private paintView(canvas: HTMLCanvasElement, view: View): void {
-    const context = canvas.getContext("2d", PLAIN)!;
+  /** Paints one view, or samples the wire first if that is another: never twice in a row, or none would get painted. */
+  private *next(): Generator<void, void> {
+    if (this.stale && !this.sampled) {
+      this.stale = false;
+      this.sampled = true;
+      this.samples = this.wire && this.sampler.sample(this.wire, samplesPerSpan(this.wire, SAMPLES, 1));
+      return;
+    }
+    this.sampled = false;
+    this.left--;
+    const index = this.turn++ % Math.max(1, this.views.length);
+    const view = this.views[index];
+    const canvas = this.renderRoot.querySelectorAll("canvas")[index];
+    if (!view || !canvas) return;
+    // Aside, and shown when it is whole.
+    const aside = this.aside.getContext("2d", PLAIN)!;
     const { ink: dark, copper } = (this.colours ??= this.coloursNow());
-    context.clearRect(0, 0, SIZE_PX, SIZE_PX);
+    aside.clearRect(0, 0, SIZE_PX, SIZE_PX);
     const target = this.targets.find((target) => target.view.name === view.name);
     if (target) {
       let ink = this.inks.get(view.name);
@@ -158,10 +168,14 @@ export class MatchPanels extends Part {
         ink = document.createElement("canvas");
         paintInk(ink, target, copper, 0.6);
         this.inks.set(view.name, ink);
+        yield;
       }
-      context.drawImage(ink, 0, 0, SIZE_PX, SIZE_PX);
+      aside.drawImage(ink, 0, 0, SIZE_PX, SIZE_PX);
     }
-    if (this.samples) paintWire(context, this.samples, view, SIZE_PX, dark);
+    if (this.samples) yield* paintWire(aside, this.samples, view, SIZE_PX, dark);
+    const context = canvas.getContext("2d", PLAIN)!;
+    context.clearRect(0, 0, SIZE_PX, SIZE_PX);
+    context.drawImage(this.aside, 0, 0);
   }
 
   /** Asking for them makes the browser work out every style of the page that is not known yet. */

@@ -22,8 +22,14 @@ export function paintInk(canvas: HTMLCanvasElement, ink: Ink, colour: string, st
   context.globalCompositeOperation = "source-over";
 }
 
-/** The wire in a view, over what is on the canvas already. Pieces of about the same width share one stroke. */
-export function paintWire(context: CanvasRenderingContext2D, samples: Samples, view: View, height_px: number, colour: string): void {
+/** Samples between two rests. */
+const AT_ONCE = 300;
+
+/**
+ * The wire in a view, over what is on the canvas already, a little at a time: it may rest at every `yield`. Pieces of
+ * about the same width share one stroke.
+ */
+export function* paintWire(context: CanvasRenderingContext2D, samples: Samples, view: View, height_px: number, colour: string): Generator<void, void> {
   const pixels = project(samples, view, height_px);
   context.strokeStyle = colour;
   context.lineCap = "round";
@@ -35,8 +41,9 @@ export function paintWire(context: CanvasRenderingContext2D, samples: Samples, v
       const a = 3 * (first + i);
       const b = 3 * (i === last - first ? first : first + i + 1);
       const here = Math.max(0.5, pixels[a + 2]! + pixels[b + 2]!);
-      if (Math.abs(here - width) > 0.12 * width || i === 0) {
+      if (Math.abs(here - width) > 0.12 * width || i % AT_ONCE === 0) {
         if (i > 0) context.stroke();
+        if (i > 0 && i % AT_ONCE === 0) yield;
         width = here;
         context.lineWidth = width;
         context.beginPath();

@@ -1,7 +1,7 @@
 /** A pad's drawing: layers of ink on a square sheet, and what may be done to it. Immutable: every change is a new sheet. */
 
 import type { Drawing, FoundInk, Reading } from "../../engine/protocol";
-import { fitted, laid, laidPoints, over, quarters, stroke, thinned } from "./stamp";
+import { laid, laidPoints, over, quarters, stroke, thinned } from "./stamp";
 
 /** Side of a sheet, px; y down. */
 export const PAPER_PX = 512;
@@ -21,7 +21,7 @@ export interface KeptPicture {
   readonly rgba: Blob;
 }
 
-/** A picture and the ink the core found in it; fitted onto the sheet without stretching. */
+/** A picture and the ink the core found in it, fitted onto a sheet. */
 export interface PictureLayer {
   readonly kind: "picture";
   readonly picture: KeptPicture;
@@ -55,8 +55,6 @@ export interface Paper {
   readonly label: string;
 }
 
-/** Room left around a fitted picture, as a share of the sheet's side. */
-const MARGIN = 0.04;
 /** Points are kept on this binary grid, so that turning a sheet there and back gives the very same numbers. */
 const GRID_PX = 1 / 16;
 /** A hand's line keeps only the points without which it would be this far off. */
@@ -152,7 +150,7 @@ export function compose({ layers }: Paper): Uint8Array<ArrayBuffer> {
 function lay(ink: Uint8Array<ArrayBuffer>, layer: Layer): void {
   switch (layer.kind) {
     case "picture":
-      return over(ink, laid(fitted(layer.found, PAPER_PX, MARGIN), PAPER_PX, layer.lay));
+      return over(ink, laid(layer.found.ink, PAPER_PX, layer.lay));
     case "stamp":
       return over(ink, layer.ink);
     case "stroke":
