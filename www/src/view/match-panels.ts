@@ -9,6 +9,8 @@ import { Part } from "./part";
 const SIZE_PX = 192;
 /** How long a frame paints; a slow device may need as long again for what it began. */
 const SLICE_MS = 4;
+/** Wires that follow each other closely are not all painted. */
+const REST_MS = 100;
 /** Fewer than on the stage: these are small. */
 const SAMPLES = 1600;
 
@@ -39,6 +41,7 @@ export class MatchPanels extends Part {
   private job: Generator<void, void> | null = null;
   private turn = 0;
   private left = 0;
+  private waiting: ReturnType<typeof setTimeout> | null = null;
   private readonly aside = Object.assign(document.createElement("canvas"), { width: SIZE_PX, height: SIZE_PX });
   private frame = 0;
 
@@ -111,7 +114,10 @@ export class MatchPanels extends Part {
   setWire(wire: WireShape | null): void {
     this.wire = wire;
     this.stale = true;
-    this.repaint();
+    this.waiting ??= setTimeout(() => {
+      this.waiting = null;
+      this.repaint();
+    }, REST_MS);
   }
 
   /** A little a frame, so that no picture keeps the page from anything. */

@@ -26,17 +26,22 @@ interface Measured {
   readonly run: readonly LongTask[];
 }
 
-/** Chromium slows the page's thread but no worker, so the run counts by its seconds on an unslowed processor, times four. */
+/** Chromium slows the page's thread but no worker, so what an unslowed processor needs, times four, counts too. */
 export async function runThrottled(): Promise<Account> {
   const load = loadavg()[0]!;
   const full = await best(1, COMPOSITED);
   const slow = await best(SLOWER, COMPOSITED);
   const plain = await best(SLOWER, []);
   const estimate = SLOWER * full.seconds;
-  const seconds = `${SLOWER} × ${full.seconds.toFixed(1)} s; ${slow.seconds.toFixed(1)} s with only the page's thread slowed`;
   return {
     rows: [
-      { budget: `fast run, ${SLOWER} times slower`, limit: `${RUN_S} s`, measured: `${estimate.toFixed(1)} s (${seconds})`, ok: Math.max(estimate, slow.seconds) <= RUN_S },
+      { budget: `fast run, page ${SLOWER} times slower`, limit: `${RUN_S} s`, measured: `${slow.seconds.toFixed(1)} s`, ok: slow.seconds <= RUN_S },
+      {
+        budget: `fast run, everything ${SLOWER} times slower`,
+        limit: `${RUN_S} s`,
+        measured: `${estimate.toFixed(1)} s (${SLOWER} × ${full.seconds.toFixed(1)} s)`,
+        ok: estimate <= RUN_S,
+      },
       taskRow("loading", slow.load, plain.load, full.load),
       taskRow("a run", slow.run, plain.run, full.run),
     ],
@@ -99,7 +104,7 @@ async function fastRun(slower: number, args: readonly string[]): Promise<Measure
 const POLL_MS = 200;
 const SETTLED_MS = 1500;
 const IN_APP = `document.querySelector("wire-app").shadowRoot`;
-const inPart = (part: string, selector: string): string => `${IN_APP}.querySelector("${part}")?.shadowRoot?.querySelector("${selector}")`;
+const inPart = (part: string, selector: string): string => `${IN_APP}?.querySelector("${part}")?.shadowRoot?.querySelector("${selector}")`;
 
 async function until(page: Page, condition: string): Promise<void> {
   while (!(await page.evaluate(condition))) await page.waitForTimeout(POLL_MS);

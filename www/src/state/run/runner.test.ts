@@ -1,4 +1,4 @@
-import { beforeEach, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
 import type { Finished, Frame, News, Snapshot } from "../../engine/protocol";
@@ -19,6 +19,7 @@ let runner: Runner;
 
 beforeEach(() => {
   vi.stubGlobal("document", { hidden: true });
+  vi.useFakeTimers({ toFake: ["performance"] });
   state = { phase: "idle", progress: READY, track: null, looking: null, views: [], targets: [], notes: [] };
   controls = [];
   shown = NaN;
@@ -38,6 +39,8 @@ beforeEach(() => {
   });
 });
 
+afterEach(() => vi.useRealTimers());
+
 const hear = (...news: News[]): void => news.forEach((one) => runner.hear(one));
 const begun = (track = fresh): Promise<Finished | null> => {
   const run = runner.run(track);
@@ -49,10 +52,14 @@ it("follows a run from the drawings to the wire", async () => {
   const run = begun();
   expect(state.phase).toBe("running");
   hear({ news: "frame", frame: frame(10) }, { news: "snapshot", snapshot: snapshot(10) }, { news: "event", event: { iteration: 10, kind: "refine", count: 3 } });
+  hear({ news: "frame", frame: frame(15) });
+  // The wire is shown, but numbers are not to flicker.
+  expect([shown, state.progress.iteration]).toEqual([15, 10]);
+  vi.advanceTimersByTime(200);
   hear({ news: "frame", frame: frame(20) });
   expect(state.progress).toMatchObject({ iteration: 20, share: 0.2, secondsLeft: 4 });
-  expect(state.track).toMatchObject({ iterations: 100, losses: [[10, 0.1], [20, 0.05]], events: [{ kind: "refine" }], snapshots: [{ iteration: 10 }] });
-  expect(controls).toEqual(["seen", "seen"]);
+  expect(state.track).toMatchObject({ iterations: 100, losses: [[10, 0.1], [15, 1 / 15], [20, 0.05]], events: [{ kind: "refine" }], snapshots: [{ iteration: 10 }] });
+  expect(controls).toEqual(["seen", "seen", "seen"]);
   const finished = {} as Finished;
   end.finish(finished);
   expect(await run).toBe(finished);
@@ -73,7 +80,9 @@ it("pauses to look back, keeps looking while frames still come, and returns to t
 
 it("goes on from a snapshot: what came later is gone", () => {
   void begun();
-  hear(...[10, 20, 30].map((at) => ({ news: "snapshot", snapshot: snapshot(at) }) as const), { news: "frame", frame: frame(15) }, { news: "frame", frame: frame(35) });
+  hear(...[10, 20, 30].map((at) => ({ news: "snapshot", snapshot: snapshot(at) }) as const), { news: "frame", frame: frame(15) });
+  vi.advanceTimersByTime(200);
+  hear({ news: "frame", frame: frame(35) });
   const track = runner.at(1)!;
   expect(track.snapshots.map(({ iteration }) => iteration)).toEqual([10, 20]);
   expect(track.losses.map(([iteration]) => iteration)).toEqual([15]);

@@ -43,8 +43,14 @@ export interface RunHooks {
   snapshot(snapshot: Snapshot): void;
 }
 
+/** Numbers that change more often than this cannot be read, and cost a slow page its breath. */
+const NUMBERS_MS = 100;
+
 export class Runner {
   private newest: WireShape | null = null;
+  /** Frames whose numbers have not been told yet, and when that was last done. */
+  private untold: Frame[] = [];
+  private toldMs = -Infinity;
 
   constructor(
     private readonly engine: Pick<EngineClient, "call" | "control" | "cancel">,
@@ -59,6 +65,7 @@ export class Runner {
     const from = track.snapshots.at(-1)?.checkpoint ?? null;
     const words = from ? "Picking up the wire" : "Looking at the drawings";
     this.newest = null;
+    this.untold = [];
     this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
     try {
       const drawings: Drawing[] = [];
@@ -162,9 +169,15 @@ export class Runner {
   private hearFrame(frame: Frame, track: Track): void {
     const { iteration, iterations, iterationsPerSecond } = frame;
     this.newest = frame.wire;
-    if (this.hooks.get().looking === null) this.hooks.wire(frame.wire);
+    const { looking, phase } = this.hooks.get();
+    if (looking === null) this.hooks.wire(frame.wire);
+    this.untold.push(frame);
+    const now = performance.now();
+    if (phase === "running" && iteration < iterations && now - this.toldMs < NUMBERS_MS) return;
+    this.toldMs = now;
+    const told = this.untold.splice(0);
     this.hooks.set({
-      track: withFrame(track, frame),
+      track: told.reduce(withFrame, track),
       progress: {
         words: "Bending the wire into shape",
         share: iteration / Math.max(1, iterations),
