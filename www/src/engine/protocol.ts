@@ -1,6 +1,9 @@
 /** The messages between page and worker. Each request gets exactly one answer; a run also sends news on its way. */
 
 import type { WireShape } from "../embed/shape";
+import type { View } from "../embed/view";
+
+export type { View };
 
 /** Straight (not premultiplied) RGBA, row by row from the top left. */
 export interface Pixels {
@@ -37,19 +40,6 @@ export interface FoundInk extends Ink {
 /** A drawing as it goes into a run: ink with the name of its pad. */
 export interface Drawing extends Ink {
   readonly name: string;
-}
-
-/** A view as in wire.json. */
-export interface View {
-  readonly name: string;
-  readonly projection: "orthographic" | "perspective";
-  readonly eye: readonly [number, number, number];
-  readonly target: readonly [number, number, number];
-  readonly up: readonly [number, number, number];
-  readonly fov_y_rad?: number;
-  readonly height_world?: number;
-  readonly width_px: number;
-  readonly height_px: number;
 }
 
 /** How a drawing was laid into a view. */

@@ -3,6 +3,7 @@ import { customElement, property } from "lit/decorators.js";
 import { Sampler, samplesPerSpan, type Samples, type WireShape } from "../embed/shape";
 import type { Target, View } from "../engine/protocol";
 import { percent } from "../state/words";
+import { pageColours } from "./colours";
 import { paintInk, paintWire, PLAIN } from "./paint";
 import { Part } from "./part";
 
@@ -36,7 +37,6 @@ export class MatchPanels extends Part {
   private stale = false;
   private sampled = false;
   private readonly inks = new Map<string, HTMLCanvasElement>();
-  private colours: { ink: string; copper: string } | null = null;
   /** What is being painted now, whose turn is next, and how many are left to paint. */
   private job: Generator<void, void> | null = null;
   private turn = 0;
@@ -165,7 +165,7 @@ export class MatchPanels extends Part {
     if (!view || !canvas) return;
     // Aside, and shown when it is whole.
     const aside = this.aside.getContext("2d", PLAIN)!;
-    const { ink: dark, copper } = (this.colours ??= this.coloursNow());
+    const { ink: dark, copper } = pageColours();
     aside.clearRect(0, 0, SIZE_PX, SIZE_PX);
     const target = this.targets.find((target) => target.view.name === view.name);
     if (target) {
@@ -184,15 +184,8 @@ export class MatchPanels extends Part {
     context.drawImage(this.aside, 0, 0);
   }
 
-  /** Asking for them makes the browser work out every style of the page that is not known yet. */
-  private coloursNow(): { ink: string; copper: string } {
-    const style = getComputedStyle(this);
-    return { ink: style.getPropertyValue("--ink"), copper: style.getPropertyValue("--copper") };
-  }
-
   /** The colours changed. */
   recolour(): void {
-    this.colours = null;
     this.inks.clear();
     this.repaint();
   }

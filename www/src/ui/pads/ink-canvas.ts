@@ -5,6 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../engine/protocol";
 import { PAPER_PX } from "../../state/drawing/paper";
 import { PLAIN } from "../../view/paint";
+import { pageColours } from "../../view/colours";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
 
@@ -144,8 +145,8 @@ export class InkCanvas extends Part {
   }
 
   private readonly repaint = (): void => {
-    const style = getComputedStyle(this);
-    paintSheet(this.canvas, this.ink, this.missing, style.color, style.getPropertyValue("--amber"));
+    const { ink, amber } = pageColours();
+    paintSheet(this.canvas, this.ink, this.missing, ink, amber);
   };
 
   /** A pen that comes near is about to draw; a finger may want to scroll. */
