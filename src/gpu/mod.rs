@@ -1,0 +1,16 @@
+//! The fit on a graphics card: every stage of an iteration as a compute shader, named like its twin on the processor.
+//!
+//! Plain WebGPU: at most 8 storage buffers a stage, 256 invocations and 16 KiB a workgroup, integer atomics only.
+//! Forward sums are integers and backward sums are gathered in fixed order, so a device gives the same bits each time.
+
+mod buffers;
+mod device;
+mod layout;
+mod pipeline;
+mod stage;
+mod upload;
+
+pub use device::{Device, DeviceInfo, Kind};
+pub use layout::SHADER_LAYOUTS;
+pub use pipeline::Pipeline;
+pub use stage::{STAGES, Slot, Stage};
