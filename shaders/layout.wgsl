@@ -9,6 +9,11 @@ const MOST_VIEWS: u32 = 64u;
 const MOST_LEVELS: u32 = 16u;
 const RINGS: u32 = 35u;
 
+/// One unit of coverage in the integer sums: 2^20 steps, shifted by one bit to leave room for `TOUCHED`.
+const UNIT: i32 = 2097152;
+/// Bit 0 of a pixel's sum: some outline runs through it. All addends are even.
+const TOUCHED: i32 = 1;
+
 /// The numbers of one iteration.
 struct Step {
     rates: vec4f,

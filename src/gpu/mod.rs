@@ -4,13 +4,17 @@
 //! Forward sums are integers and backward sums are gathered in fixed order, so a device gives the same bits each time.
 
 mod buffers;
+mod check;
 mod device;
+mod engine;
 mod layout;
 mod pipeline;
 mod stage;
 mod upload;
 
+pub use check::{SELF_CHECK_TOLERANCE, compare as self_check};
 pub use device::{Device, DeviceInfo, Kind};
+pub use engine::GpuEngine;
 pub use layout::SHADER_LAYOUTS;
 pub use pipeline::Pipeline;
 pub use stage::{STAGES, Slot, Stage};

@@ -56,6 +56,23 @@ impl Pipeline {
         self.fill(upload)
     }
 
+    /// How many cell entries there is room for.
+    pub fn room(&self) -> usize {
+        self.loaded.as_ref().map_or(0, |loaded| loaded.upload.scene.entries as usize)
+    }
+
+    /// Makes new buffers for the scene, with room for `entries` cell entries. What was computed is lost.
+    ///
+    /// # Errors
+    /// [`crate::Error::Device`] without a scene, or if the device has not the room.
+    pub fn make_room(&mut self, entries: usize) -> Result<()> {
+        let Some(Loaded { mut upload, .. }) = self.loaded.take() else {
+            return Err(self.device.error("no scene was loaded"));
+        };
+        upload.scene.entries = entries as u32;
+        self.fill(upload)
+    }
+
     fn fill(&mut self, upload: Upload) -> Result<()> {
         let buffers = Buffers::new(&self.device, &upload, self.batch)?;
         let bind = |(stage, pipeline): (&Stage, &wgpu::ComputePipeline)| {
@@ -86,7 +103,12 @@ impl Pipeline {
     /// # Errors
     /// [`crate::Error::Device`] without a scene.
     pub fn write<T: Pod>(&self, slot: Slot, values: &[T]) -> Result<()> {
-        self.loaded()?.buffers.write(&self.device, slot, 0, values);
+        self.write_at(slot, 0, values)
+    }
+
+    /// Overwrites a buffer from its value `first` on.
+    pub(super) fn write_at<T: Pod>(&self, slot: Slot, first: usize, values: &[T]) -> Result<()> {
+        self.loaded()?.buffers.write(&self.device, slot, first * size_of::<T>(), values);
         Ok(())
     }
 
@@ -124,6 +146,10 @@ impl Pipeline {
         let (first, last) = (Stage::index(first), Stage::index(last));
         let mut encoder = self.device.device.create_command_encoder(&Default::default());
         for i in 0..steps.len() {
+            if (first..=last).contains(&Stage::index("fill_cells")) {
+                let heads = 4 * loaded.upload.scene.cells_head() as u64;
+                encoder.clear_buffer(loaded.buffers.get(Slot::Cells), 0, Some(heads));
+            }
             let mut pass = encoder.begin_compute_pass(&Default::default());
             for index in first..=last {
                 loaded.dispatch(&mut pass, index, &self.stages[index], i);
@@ -159,6 +185,9 @@ impl Loaded {
             Over::Points => dispatch(points.div_ceil(GROUP), 1, 0),
             Over::Samples => dispatch(samples.div_ceil(GROUP), 1, 0),
             Over::SamplesAndViews(threads) => dispatch((samples * threads as usize).div_ceil(GROUP), views, 0),
+            Over::Nodes => dispatch(samples, views, 0),
+            Over::Rows => dispatch(self.most_rows(), views, 0),
+            Over::Borders => dispatch(self.most_rows().div_ceil(8).div_ceil(GROUP), views, 0),
             Over::Once => dispatch(1, 1, 0),
             Over::Levels { finest_first } => {
                 for pass in 0..self.upload.depth {
@@ -167,6 +196,12 @@ impl Loaded {
                 }
             }
         }
+    }
+
+    /// The most rows of pixels a view has.
+    fn most_rows(&self) -> usize {
+        let scene = &self.upload.scene;
+        scene.view[..scene.views as usize].iter().map(|view| view.height as usize).max().unwrap_or(0)
     }
 
     /// The most values a view has at a level.

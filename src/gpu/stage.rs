@@ -78,6 +78,12 @@ pub(super) enum Over {
     SamplesAndViews(u32),
     /// Threads over the pixels of a level and views: a pass a level, the finest first or last.
     Levels { finest_first: bool },
+    /// A workgroup a sample and view.
+    Nodes,
+    /// A workgroup a row of pixels and view.
+    Rows,
+    /// A thread for each eight rows of pixels and view.
+    Borders,
     /// A single workgroup.
     Once,
 }
@@ -117,6 +123,21 @@ impl Stage {
 }
 
 const LAYOUT: &str = text!("layout");
+const PIECES: &str = text!("pieces");
+const CELLS: &str = text!("cells");
+const HIDDEN: &str = text!("hidden");
+const OUTLINE: &str = text!("outline");
+const WALK: &str = text!("walk");
+
+/// Shader and buffers of a forward stage that traces the outline.
+const fn tracing(name: &'static str, slots: &'static [Slot], over: Over) -> Stage {
+    Stage { name, texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("trace")], slots, over }
+}
+
+/// And of a backward one.
+const fn pulling(name: &'static str, slots: &'static [Slot], over: Over) -> Stage {
+    Stage { name, texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("pull_back")], slots, over }
+}
 
 /// All stages, in the order of an iteration.
 pub const STAGES: &[Stage] = &[
@@ -131,6 +152,37 @@ pub const STAGES: &[Stage] = &[
         texts: &[LAYOUT, text!("project")],
         slots: &[Slot::Scene, Slot::Links, Slot::Samples, Slot::Vertices],
         over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "join_pieces",
+        texts: &[LAYOUT, PIECES, text!("joints")],
+        slots: &[Slot::Scene, Slot::Links, Slot::Vertices, Slot::Joints],
+        over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "shape_nodes",
+        texts: &[LAYOUT, PIECES, text!("shapes")],
+        slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes],
+        over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "fill_cells",
+        texts: &[LAYOUT, PIECES, CELLS, text!("fill_cells")],
+        slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells],
+        over: Over::SamplesAndViews(2),
+    },
+    tracing(
+        "trace_straight",
+        &[Slot::Scene, Slot::Circles, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells, Slot::Sums],
+        Over::SamplesAndViews(4),
+    ),
+    tracing("trace_polygons", &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Sums], Over::Nodes),
+    tracing("trace_border", &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Sums], Over::Borders),
+    Stage {
+        name: "finish_rows",
+        texts: &[LAYOUT, CELLS, text!("rows")],
+        slots: &[Slot::Scene, Slot::Shapes, Slot::Cells, Slot::Sums, Slot::Coverage],
+        over: Over::Rows,
     },
     Stage {
         name: "compare",
@@ -152,6 +204,31 @@ pub const STAGES: &[Stage] = &[
         texts: &[LAYOUT, text!("mse")],
         slots: &[Slot::Step, Slot::Scene, Slot::Pass, Slot::Levels, Slot::Pyramid],
         over: Over::Levels { finest_first: false },
+    },
+    pulling(
+        "pull_straight",
+        &[
+            Slot::Scene,
+            Slot::Circles,
+            Slot::Vertices,
+            Slot::Joints,
+            Slot::Shapes,
+            Slot::Cells,
+            Slot::Pyramid,
+            Slot::DPieces,
+        ],
+        Over::SamplesAndViews(4),
+    ),
+    pulling(
+        "pull_polygons",
+        &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Pyramid, Slot::DPieces],
+        Over::Nodes,
+    ),
+    Stage {
+        name: "gather_pulls",
+        texts: &[LAYOUT, text!("gather")],
+        slots: &[Slot::Scene, Slot::Joints, Slot::DPieces, Slot::DVertices],
+        over: Over::SamplesAndViews(1),
     },
     Stage {
         name: "project_vjp",

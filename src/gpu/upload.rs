@@ -10,6 +10,8 @@ use crate::{Error, Result};
 
 /// No such sample.
 const NONE: u32 = u32::MAX;
+/// Cell entries there is room for at first. Most polygons touch one to four cells.
+const ENTRIES_A_POLYGON: usize = 6;
 /// Values a workgroup of the loss sums up.
 pub(super) const LOSS_GROUP: usize = 256;
 
@@ -155,6 +157,7 @@ impl Upload {
         scene.spans = from.jerk.spans() as u32;
         scene.pixels = pixels as u32;
         scene.cells = cells as u32;
+        scene.entries = (ENTRIES_A_POLYGON * 2 * samples * count + cells) as u32;
         scene.gaussian = u32::from(from.pyramid == Pyramid::Gaussian);
         Ok(Upload {
             scene,

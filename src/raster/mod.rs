@@ -41,7 +41,7 @@ const FARTHEST_PX: f32 = 1e6;
 
 /// What shaders share with the stages here, by the same name.
 #[cfg(feature = "gpu")]
-pub(crate) fn constants() -> [(&'static str, f32); 12] {
+pub(crate) fn constants() -> [(&'static str, f32); 14] {
     [
         ("FARTHEST_PX", FARTHEST_PX),
         ("LEAST_OUTCROP_PX", pieces::LEAST_OUTCROP_PX),
@@ -55,6 +55,8 @@ pub(crate) fn constants() -> [(&'static str, f32); 12] {
         ("PART_PX", cells::PART_PX),
         ("SHORTEST_HIDDEN", hidden::SHORTEST_HIDDEN),
         ("SHORTEST_VISIBLE", hidden::SHORTEST_VISIBLE),
+        ("STRETCH_PX", outline::STRETCH_PX),
+        ("SHORTEST_EDGE_PX", outline::SHORTEST_EDGE_PX),
     ]
 }
 #[cfg(feature = "gpu")]
