@@ -6,9 +6,9 @@ mod optimize_common;
 
 use gpu_common::{device, distance, points, scene, step, views};
 use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
-use wire4d::gpu::GpuEngine;
+use wire4d::gpu::{GpuEngine, SELF_CHECK_TOLERANCE, self_check};
 use wire4d::objective::Pyramid;
-use wire4d::optimize::{Adam, CpuEngine, Engine, Problem, RasterKind, Recipe, Session, State, Step, term_count};
+use wire4d::optimize::{Adam, CpuEngine, Engine, Problem, RasterKind, Recipe, Scene, Session, State, Step, term_count};
 use wire4d::view::View;
 use wire4d::wire::Wire;
 
@@ -114,7 +114,7 @@ fn the_same_bits_every_time_whatever_the_batch() {
 fn lists_that_run_over_are_made_longer() {
     let Some(device) = device() else { return };
     // A few pieces right across a large picture: many cells each.
-    let corner = |i: usize| [if i % 2 == 0 { -1.0 } else { 1.0 }, (i as f64 * 0.7).sin(), 0.0, 0.05];
+    let corner = |i: usize| [if i.is_multiple_of(2) { -1.0 } else { 1.0 }, (i as f64 * 0.7).sin(), 0.0, 0.05];
     let wire = Wire::open_uniform((0..40).map(corner).collect()).unwrap();
     let views = [View::orthographic("front", 0.0, 0.0, 2.2, 256)];
     let mut engine = GpuEngine::unchecked(&device, 1).unwrap();
@@ -129,6 +129,44 @@ fn lists_that_run_over_are_made_longer() {
     let (device_terms, device_d_points) = evaluate(&mut engine, &wire, &views, &step());
     let gradient = distance(device_d_points.as_flattened(), d_points.as_flattened());
     assert!(distance(&device_terms, &terms) < LOSS && gradient < GRADIENT, "{device_terms:?} {terms:?} {gradient:.1e}");
+}
+
+/// The processor's engine with a gradient that is a little too long.
+struct Crooked(CpuEngine, f32);
+
+impl Engine for Crooked {
+    fn load(&mut self, scene: Scene) {
+        self.0.load(scene);
+    }
+    fn set_target(&mut self, view: usize, ink: &[f32]) {
+        self.0.set_target(view, ink);
+    }
+    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
+        self.0.evaluate(points, step, terms, d_points);
+        d_points.as_flattened_mut().iter_mut().for_each(|d| *d *= self.1);
+    }
+    fn coverage(&self, view: usize) -> &[f32] {
+        self.0.coverage(view)
+    }
+    fn d_coverage(&self, view: usize) -> &[f32] {
+        self.0.d_coverage(view)
+    }
+    fn d_points_image(&self) -> &[[f32; 4]] {
+        self.0.d_points_image()
+    }
+}
+
+#[test]
+fn the_self_check_refuses_what_computes_something_else() {
+    assert_eq!(self_check(&mut Crooked(CpuEngine::new(), 1.0)), Ok(0.0));
+    for factor in [1.05, f32::NAN] {
+        let error = self_check(&mut Crooked(CpuEngine::new(), factor)).unwrap_err().to_string();
+        assert!(error.contains("processor") && error.contains("--backend cpu"), "{error}");
+    }
+    let Some(device) = device() else { return };
+    let difference = self_check(&mut GpuEngine::unchecked(&device, 1).unwrap()).unwrap();
+    eprintln!("self-check: {difference:.1e}");
+    assert!(difference < SELF_CHECK_TOLERANCE / 100.0, "{difference:.1e}");
 }
 
 #[test]

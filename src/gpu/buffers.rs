@@ -139,6 +139,7 @@ impl Buffers {
             Ok(Err(error)) => return Err(lost(error.to_string())),
             Err(error) => return Err(lost(error.to_string())),
         }
+        device.faultless()?;
         let mapped = staging.get_mapped_range(..).map_err(|error| lost(error.to_string()))?;
         let mut parts = Vec::with_capacity(wanted.len());
         let mut at = 0;

@@ -1,21 +1,21 @@
 //! What a device is asked before it is trusted: one iteration of a small wire, compared with the processor's.
 
-use super::engine::GpuEngine;
-use crate::Result;
+use super::device::REMEDY;
 use crate::objective::Pyramid;
 use crate::optimize::{AdamOptions, CpuEngine, Engine, RasterKind, Scene, SceneView, Step};
 use crate::view::{Image, View};
 use crate::wire::{Jerk, Wire};
+use crate::{Error, Result};
 
 /// Largest difference of loss and gradient, relative, that passes.
 pub const SELF_CHECK_TOLERANCE: f32 = 1e-2;
 
-/// Evaluates a tapered spiral on `engine` and on the processor: the relative l2 distance of losses and gradients,
-/// whichever is larger.
+/// Evaluates a tapered spiral on `engine` and on the processor: the relative l2 distances of losses and of gradients,
+/// added up.
 ///
 /// # Errors
-/// [`crate::Error::Device`] if it is above [`SELF_CHECK_TOLERANCE`], or if the device fails.
-pub fn compare(engine: &mut GpuEngine) -> Result<f32> {
+/// [`Error::Device`] if it is above [`SELF_CHECK_TOLERANCE`], or if the device fails.
+pub fn self_check(engine: &mut dyn Engine) -> Result<f32> {
     let points: Vec<[f64; 4]> = (0..12)
         .map(|i| {
             let t = f64::from(i) / 11.0;
@@ -45,7 +45,7 @@ pub fn compare(engine: &mut GpuEngine) -> Result<f32> {
     let points: Vec<[f32; 4]> = points.iter().map(|point| point.map(|c| c as f32)).collect();
     let mut results = Vec::new();
     let mut cpu = CpuEngine::new();
-    for engine in [&mut cpu as &mut dyn Engine, engine] {
+    for engine in [&mut cpu as &mut dyn Engine, &mut *engine] {
         let (mut terms, mut d_points) = (vec![0.0; 6], Vec::new());
         engine.load(scene.clone());
         engine.evaluate(&points, &step, &mut terms, &mut d_points);
@@ -59,11 +59,10 @@ pub fn compare(engine: &mut GpuEngine) -> Result<f32> {
         (squares(&mut a.iter().zip(b).map(|(a, b)| a - b)) / squares(&mut b.iter().copied())).sqrt()
     };
     let [(terms, d_points), (device_terms, device_d_points)] = [&results[0], &results[1]];
-    let difference = apart(device_terms, terms).max(apart(device_d_points.as_flattened(), d_points.as_flattened()));
-    // Also true for NaN.
-    if !(difference <= SELF_CHECK_TOLERANCE) {
+    let difference = apart(device_terms, terms) + apart(device_d_points.as_flattened(), d_points.as_flattened());
+    if difference.is_nan() || difference > SELF_CHECK_TOLERANCE {
         let problem = format!("it computes something else than the processor (by {difference:.1e} of a small example)");
-        return Err(engine.device().error(problem));
+        return Err(Error::device(engine.place().device, problem, REMEDY));
     }
     Ok(difference)
 }

@@ -1,6 +1,7 @@
 //! The device: which adapter, what it is called, what it can do.
 
 use crate::{Error, Result};
+use std::sync::{Arc, Mutex};
 
 /// Which devices will do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,6 +35,8 @@ pub struct Device {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
     info: DeviceInfo,
+    /// The first thing the device objected to outside [`Device::watched`]; without a place for it the program would end.
+    fault: Arc<Mutex<Option<String>>>,
 }
 
 impl Device {
@@ -69,7 +72,12 @@ impl Device {
             ..Default::default()
         };
         match adapter.request_device(&descriptor).await {
-            Ok((device, queue)) => Ok(Device { device, queue, info }),
+            Ok((device, queue)) => {
+                let fault = Arc::new(Mutex::new(None));
+                let noted = Arc::clone(&fault);
+                device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&noted, &error)));
+                Ok(Device { device, queue, info, fault })
+            }
             Err(error) => Err(Error::device(info.name, one_line(&error.to_string()), REMEDY)),
         }
     }
@@ -95,6 +103,15 @@ impl Device {
         Error::device(&self.info.name, problem, REMEDY)
     }
 
+    /// What the device has objected to so far, as an error.
+    pub(super) fn faultless(&self) -> Result<()> {
+        match self.fault.lock().map(|fault| fault.clone()) {
+            Ok(None) => Ok(()),
+            Ok(Some(fault)) => Err(self.error(fault)),
+            Err(_) => Err(self.error("it failed while it reported a failure")),
+        }
+    }
+
     /// Runs `work` and turns what the device objects to into an error.
     pub(super) fn watched<T>(&self, work: impl FnOnce() -> T) -> Result<T> {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
@@ -109,7 +126,7 @@ impl Device {
     }
 }
 
-const REMEDY: &str = "fit on the processor instead (--backend cpu)";
+pub(super) const REMEDY: &str = "fit on the processor instead (--backend cpu)";
 const SOFTWARE: u32 = 3;
 
 fn rank(kind: wgpu::DeviceType) -> u32 {
@@ -129,6 +146,13 @@ fn kind_name(kind: wgpu::DeviceType) -> &'static str {
         wgpu::DeviceType::VirtualGpu => "virtual card",
         wgpu::DeviceType::Cpu => "software",
         wgpu::DeviceType::Other => "unknown",
+    }
+}
+
+/// Keeps the first of several faults: later ones follow from it.
+fn note(fault: &Mutex<Option<String>>, error: &wgpu::Error) {
+    if let Ok(mut fault) = fault.lock() {
+        fault.get_or_insert_with(|| one_line(&error.to_string()));
     }
 }
 

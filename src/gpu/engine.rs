@@ -32,7 +32,7 @@ impl GpuEngine {
     /// [`Error::Device`] if it takes a stage badly or computes something else.
     pub fn new(device: &Device) -> Result<GpuEngine> {
         let mut engine = GpuEngine::unchecked(device, BATCH)?;
-        check::compare(&mut engine)?;
+        check::self_check(&mut engine)?;
         Ok(engine)
     }
 

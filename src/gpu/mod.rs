@@ -12,7 +12,7 @@ mod pipeline;
 mod stage;
 mod upload;
 
-pub use check::{SELF_CHECK_TOLERANCE, compare as self_check};
+pub use check::{SELF_CHECK_TOLERANCE, self_check};
 pub use device::{Device, DeviceInfo, Kind};
 pub use engine::GpuEngine;
 pub use layout::SHADER_LAYOUTS;

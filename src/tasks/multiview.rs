@@ -299,10 +299,12 @@ impl Run {
     /// As the start chosen by the settings, and [`Problem::check`]; [`Error::Device`] if a graphics card is asked for
     /// and there is none that computes rightly.
     pub fn start(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
+        // First of all: who asks for a device that is not there should not have to wait for it.
+        let engine = engine(settings.backend)?;
         let bending = if plan.bends_before(settings) { BENDING_SHARE } else { 0.0 };
         let (targets, moved_before) = plan.targets_to_fit(settings, &mut |share| progress(bending * share))?;
         let wire = plan.first_wire(&targets, settings, &mut |share| progress(bending + (1.0 - bending) * share))?;
-        let session = Session::with_engine(plan.problem(wire, targets, settings), engine(settings.backend)?)?;
+        let session = Session::with_engine(plan.problem(wire, targets, settings), engine)?;
         Ok(Run { plan, settings: settings.clone(), session, moved_before })
     }
 
