@@ -103,9 +103,9 @@ pub struct Level {
     pub first_partial: u32,
 }
 
-/// Bytes of a [`Joint`](https://www.w3.org/TR/WGSL/) as shaders lay it out; the processor never reads one.
+/// Bytes of a `Joint` as shaders lay it out. The processor never reads one.
 pub const JOINT_BYTES: u64 = 56;
-/// Bytes of a `Shape` as shaders lay it out.
+/// Bytes of a `Shape`, likewise.
 pub const SHAPE_BYTES: u64 = 112;
 
 /// A structure's name and size in shaders, and its members with their offsets.
