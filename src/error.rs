@@ -63,6 +63,16 @@ pub enum Error {
         /// What to do about it.
         remedy: String,
     },
+    /// A device for the fit is missing, too small or lost. Not the person's input: exit status 1.
+    #[error("{name}: {problem}; {remedy}")]
+    Device {
+        /// The device as its driver calls it.
+        name: String,
+        /// What went wrong.
+        problem: String,
+        /// What to do about it.
+        remedy: String,
+    },
     /// Something could not be written. Not the person's input: exit status 1.
     #[error("{name}: {problem}; {remedy}")]
     Output {
@@ -78,7 +88,7 @@ pub enum Error {
 impl Error {
     /// Whether the cause is a bad input or option (exit status 2) rather than anything else (1).
     pub fn is_bad_input(&self) -> bool {
-        !matches!(self, Error::Output { .. })
+        !matches!(self, Error::Output { .. } | Error::Device { .. })
     }
 }
 
@@ -101,6 +111,8 @@ named! {
     setting => Setting,
     /// [`Error::Input`] from its three parts.
     input => Input,
+    /// [`Error::Device`] from its three parts.
+    device => Device,
     /// [`Error::Output`] from its three parts.
     output => Output,
 }

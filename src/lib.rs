@@ -29,6 +29,9 @@ pub mod start;
 
 pub mod optimize;
 
+#[cfg(feature = "gpu")]
+pub mod gpu;
+
 pub mod sculpture;
 
 pub mod export;

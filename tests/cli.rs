@@ -379,6 +379,36 @@ fn bad_input_is_refused_in_one_line_and_leaves_nothing_behind() {
     assert_eq!(left, made, "nothing was left behind");
 }
 
+#[cfg(feature = "gpu")]
+#[test]
+fn a_fit_on_a_device_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    // Without a driver there is no device: asked for by name that fails, left open the processor does it.
+    let bare = |mut program: Command| program.env("VK_DRIVER_FILES", "/dev/null").output().unwrap();
+    assert!(succeeds(&bare(program(&["device"]))).contains("backend: gpu, none"));
+    let output = bare(quick(&at("none"), &["--backend", "gpu"]));
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("no device") && message.contains("--backend cpu"), "{message}");
+    succeeds(&bare(quick(&at("left-open"), &["--backend", "auto"])));
+    assert_eq!(json(&at("left-open").join("report.json"))["backend"], "cpu");
+
+    let device = succeeds(&wire4d(&["device"]));
+    if device.contains("backend: gpu, none") {
+        assert!(std::env::var_os("WIRE4D_REQUIRE_GPU").is_none(), "{device}");
+        return eprintln!("not tested on a device: {device}");
+    }
+    assert_eq!(device.matches("self-check: passed").count(), 2, "{device}");
+    succeeds(&quick_run(&at("device"), &["--backend", "gpu"]));
+    let report = json(&at("device").join("report.json"));
+    assert_eq!(report["backend"], "gpu");
+    assert!(device.contains(report["device"].as_str().unwrap()), "{device}");
+    let iou = |report: &Value| report["result"]["views"][0]["soft_iou"].as_f64().unwrap();
+    let processor = iou(&json(&at("left-open").join("report.json")));
+    assert!((iou(&report) - processor).abs() < 0.1, "{} on the device, {processor} on the processor", iou(&report));
+}
+
 fn grey(path: &Path, size: u32, value: impl Fn(u32, u32) -> u8) {
     image::GrayImage::from_fn(size, size, |x, y| image::Luma([value(x, y)])).save(path).unwrap();
 }

@@ -13,6 +13,7 @@ const ORDER: &[&str] = &[
     "objective",
     "start",
     "optimize",
+    "gpu",
     "sculpture",
     "metrics",
     "export",

@@ -39,6 +39,14 @@ struct Level<R> {
     values: Vec<R>,
 }
 
+/// Widths and heights of a picture's levels: max(⌈log2 height⌉ - 2, 1) of them, fewer where the picture is so narrow that
+/// a level would have no pixel.
+pub fn level_sizes(width: usize, height: usize) -> Vec<(usize, usize)> {
+    let wanted = (usize::BITS - height.saturating_sub(1).leading_zeros()).saturating_sub(2).max(1) as usize;
+    let halved = |&(width, height): &(usize, usize)| (width.min(height) >= 3).then_some((width / 2, height / 2));
+    std::iter::successors(Some((width, height)), halved).take(wanted).collect()
+}
+
 /// Σ_l m^l · mean((I_l - T_l)²) over the levels l of a pyramid, with buffers that live across iterations.
 #[derive(Debug, Clone)]
 pub struct MultiscaleMse<R> {
@@ -49,19 +57,10 @@ pub struct MultiscaleMse<R> {
 }
 
 impl<R: Real> MultiscaleMse<R> {
-    /// For pictures of `width` x `height` pixels: max(⌈log2 height⌉ - 2, 1) levels, fewer where the picture is so narrow
-    /// that a level would have no pixel.
+    /// For pictures of `width` x `height` pixels, with the levels of [`level_sizes`].
     pub fn new(pyramid: Pyramid, width: usize, height: usize) -> Self {
-        let wanted = (usize::BITS - height.saturating_sub(1).leading_zeros()).saturating_sub(2).max(1) as usize;
-        let mut levels = vec![Level { width, height, values: vec![R::zero(); width * height] }];
-        while levels.len() < wanted {
-            let below = &levels[levels.len() - 1];
-            if below.width.min(below.height) < 3 {
-                break;
-            }
-            let (width, height) = (below.width / 2, below.height / 2);
-            levels.push(Level { width, height, values: vec![R::zero(); width * height] });
-        }
+        let level = |(width, height)| Level { width, height, values: vec![R::zero(); width * height] };
+        let levels = level_sizes(width, height).into_iter().map(level).collect();
         MultiscaleMse { pyramid, taps: gaussian_taps(), levels, rows: vec![R::zero(); width * height.div_ceil(2)] }
     }
 

@@ -6,6 +6,6 @@ mod regularisers;
 mod straight;
 mod warp;
 
-pub use mmse::{MultiscaleMse, Pyramid};
+pub use mmse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;
 pub use warp::{Displacement, Warp, WarpWeights};

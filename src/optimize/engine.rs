@@ -5,6 +5,7 @@
 //! or many at once where a round trip is dear.
 
 use super::{Adam, AdamOptions, RasterKind};
+use crate::Error;
 use crate::objective::Pyramid;
 use crate::view::{Camera, Image};
 use crate::wire::{Jerk, LinearMap, Stroke};
@@ -79,6 +80,15 @@ impl State {
     }
 }
 
+/// Where an engine computes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// `cpu` or `gpu`.
+    pub backend: &'static str,
+    /// The device's own name.
+    pub device: String,
+}
+
 /// Number of loss terms a row: total, one a view, jerk, length.
 pub fn term_count(views: usize) -> usize {
     views + 3
@@ -108,6 +118,16 @@ pub trait Engine: Send {
     /// The most iterations that pay in one call of [`Engine::advance`].
     fn batch(&self) -> usize {
         1
+    }
+
+    /// Where it computes now.
+    fn place(&self) -> Place {
+        Place { backend: "cpu", device: "processor".into() }
+    }
+
+    /// Why it no longer computes where it was asked to, if so.
+    fn trouble(&self) -> Option<&Error> {
+        None
     }
 
     /// One iteration for each of `steps`: evaluate, step, clamp widths. `terms` has a row of [`term_count`] entries for

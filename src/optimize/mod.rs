@@ -17,7 +17,7 @@ pub use adam::{Adam, AdamOptions, SecondMoment};
 pub use bending::Bending;
 pub use checkpoint::Checkpoint;
 pub use cpu::CpuEngine;
-pub use engine::{Engine, Scene, SceneView, State, Step, term_count};
+pub use engine::{Engine, Place, Scene, SceneView, State, Step, term_count};
 pub use history::{Event, EventKind, History};
 pub use problem::{Problem, WidthBounds};
 pub use recipe::{RasterKind, Recipe, Stage};

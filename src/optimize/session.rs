@@ -1,16 +1,16 @@
 //! The session: pulls a problem along, iteration by iteration, and decides what happens when.
 
 use super::bending::{Bender, Field, bend_image};
-use super::engine::{Engine, Scene, SceneView, State, Step, term_count};
+use super::engine::{Engine, Place, Scene, SceneView, State, Step, term_count};
 use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::topology::TopologyEdit;
 use super::{CpuEngine, Problem, Stage};
-use crate::Result;
 use crate::objective::Displacement;
 use crate::rng::Rng;
 use crate::view::{Image, Target};
 use crate::wire::{Form, Jerk, MAX_COORDINATE, Wire};
+use crate::{Error, Result};
 
 /// Small pictures in which places that lack ink are looked for.
 const LACK_SIZE_PX: usize = 64;
@@ -146,6 +146,16 @@ impl Session {
         with_points(&self.best.wire, &self.best.points)
     }
 
+    /// Where the fit is computed now.
+    pub fn place(&self) -> Place {
+        self.engine.place()
+    }
+
+    /// Why the engine no longer computes where it was asked to, if so.
+    pub fn engine_trouble(&self) -> Option<&Error> {
+        self.engine.trouble()
+    }
+
     /// View `view` as last drawn, at the size that is fitted; blank before the first iteration.
     pub fn coverage(&self, view: usize) -> Image {
         let (width, height) = fitted_size(&self.problem.targets[view], self.stage());
@@ -217,7 +227,9 @@ impl Session {
     /// How many iterations can be done before anything else is due.
     fn batch(&self, end: usize) -> usize {
         let total = self.total();
-        let limit = (self.iteration + self.engine.batch().max(1)).min(end);
+        // Batches end at whole multiples, wherever a run was interrupted.
+        let most = self.engine.batch().max(1);
+        let limit = ((self.iteration / most + 1) * most).min(end);
         let recipe = &self.problem.recipe;
         let mut stage_start = 0;
         let is_due = |i: usize| {
@@ -253,7 +265,7 @@ impl Session {
         let usable = |state: &State| {
             state.is_finite() && state.points.iter().flatten().all(|c| f64::from(c.abs()) <= MAX_COORDINATE)
         };
-        let last = self.iteration + batch - 1;
+        let (first, last) = (self.iteration, self.iteration + batch - 1);
         self.iteration += batch;
         if !self.terms.iter().all(|term| term.is_finite()) || !usable(&self.state) {
             self.state.copy_from(&self.good);
@@ -264,7 +276,9 @@ impl Session {
         std::mem::swap(&mut self.good, &mut self.before);
         let image = &self.terms[..width][1..width - 2];
         let loss = image.iter().sum::<f32>() / level_sum(self.steps[0].level_ratio);
-        if loss < self.best.loss {
+        // Where a batch of the engine's begins or a stage does, so that interruptions change nothing.
+        let counts = first % self.engine.batch().max(1) == 0 || self.best.loss == f32::INFINITY;
+        if counts && loss < self.best.loss {
             self.best.loss = loss;
             if self.best.points.len() != self.good.points.len() {
                 self.best.wire = self.wire.clone();

@@ -5,11 +5,11 @@ use super::shapes::{NegatedBox, Shapes, disc_box, hull};
 use wide::f32x4;
 
 /// Side of a cell in pixels (a power of two, so that cell borders are exact in f32).
-const CELL_PX: f32 = 8.0;
+pub(crate) const CELL_PX: f32 = 8.0;
 /// Boxes over more cells than this go to a list of their own that every query scans: memory stays bounded.
 const MOST_CELLS: usize = 64;
 /// Longer pieces are entered in parts of this length (in pixels), so that slanted ones fill no big boxes.
-const PART_PX: f32 = 16.0;
+pub(super) const PART_PX: f32 = 16.0;
 
 /// A box and the polygon in it; long pieces have several.
 #[derive(Debug, Clone, Copy)]

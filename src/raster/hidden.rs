@@ -29,8 +29,8 @@ enum Hidden {
 }
 
 /// Shorter stretches, as shares of the edge, are rounding.
-const SHORTEST_HIDDEN: f32 = 1e-6;
-const SHORTEST_VISIBLE: f32 = 1e-5;
+pub(super) const SHORTEST_HIDDEN: f32 = 1e-6;
+pub(super) const SHORTEST_VISIBLE: f32 = 1e-5;
 
 /// Replaces `visible` by the parts of `edge` (as parameter intervals, in order) that none of `candidates` hides.
 /// A candidate that hides all of it moves to the front, as it will likely hide the next edge as well.

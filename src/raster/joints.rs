@@ -31,9 +31,9 @@ pub(super) struct Joint {
 }
 
 /// Sine of the sharpest turn of a side that is still mitred.
-const SHARPEST_MITRE: f32 = 0.5;
+pub(super) const SHARPEST_MITRE: f32 = 0.5;
 /// A side may lose this share of its length to a mitre at either end.
-const TRIM_SHARE: f32 = 0.45;
+pub(super) const TRIM_SHARE: f32 = 0.45;
 
 pub(super) fn build(nodes: &[Node], pieces: &[Piece], joints: &mut Vec<Joint>) {
     joints.clear();

@@ -39,6 +39,31 @@ pub trait Raster: Send {
 /// Vertices beyond this (in pixels) are not drawn: nothing sensible lies there, and f32 has no digits left.
 const FARTHEST_PX: f32 = 1e6;
 
+/// What shaders share with the stages here, by the same name.
+#[cfg(feature = "gpu")]
+pub(crate) fn constants() -> [(&'static str, f32); 14] {
+    [
+        ("FARTHEST_PX", FARTHEST_PX),
+        ("LEAST_OUTCROP_PX", pieces::LEAST_OUTCROP_PX),
+        ("SHORTEST_PX", pieces::SHORTEST_PX),
+        ("SHARPEST_MITRE", joints::SHARPEST_MITRE),
+        ("TRIM_SHARE", joints::TRIM_SHARE),
+        ("ORDER_MARGIN_PX", shapes::ORDER_MARGIN_PX),
+        ("ARC_TOLERANCE_PX", shapes::ARC_TOLERANCE_PX),
+        ("SMALLEST_RADIUS_PX", shapes::SMALLEST_RADIUS_PX),
+        ("CELL_PX", CELL_PX),
+        ("PART_PX", cells::PART_PX),
+        ("SHORTEST_HIDDEN", hidden::SHORTEST_HIDDEN),
+        ("SHORTEST_VISIBLE", hidden::SHORTEST_VISIBLE),
+        ("STRETCH_PX", outline::STRETCH_PX),
+        ("SHORTEST_EDGE_PX", outline::SHORTEST_EDGE_PX),
+    ]
+}
+#[cfg(feature = "gpu")]
+pub(crate) use cells::CELL_PX;
+#[cfg(feature = "gpu")]
+pub(crate) use shapes::rings;
+
 /// Whether a vertex is finite and within reach of any picture.
 fn usable(vertex: [f32; 3]) -> bool {
     // NaN compares false.

@@ -10,9 +10,9 @@ use super::walk::{Stretch, SubEdge, clip, walk};
 /// Consecutive pieces look up their hiders together as long as their boxes fit in this many pixels.
 const GROUP_PX: f32 = 4.0;
 /// Edges of larger pieces (in pixels) look up their hiders stretch by stretch.
-const STRETCH_PX: f32 = 16.0;
+pub(super) const STRETCH_PX: f32 = 16.0;
 /// Shorter edges (in pixels) are nothing.
-const SHORTEST_EDGE_PX: f32 = 1e-6;
+pub(super) const SHORTEST_EDGE_PX: f32 = 1e-6;
 
 /// Everything a pass knows before its outline, shared by all chunks.
 pub(super) struct Scene<'a> {

@@ -31,9 +31,9 @@ pub(super) struct Piece {
 }
 
 /// A piece whose smaller disc sticks out of its larger by less than this (in pixels) is two discs.
-const LEAST_OUTCROP_PX: f32 = 0.01;
+pub(super) const LEAST_OUTCROP_PX: f32 = 0.01;
 /// Two nodes nearer than this (in pixels) coincide.
-const SHORTEST_PX: f32 = 1e-5;
+pub(super) const SHORTEST_PX: f32 = 1e-5;
 
 impl Piece {
     fn new(a: &Node, b: &Node) -> Self {

@@ -11,12 +11,12 @@ use wide::f32x4;
 /// By how much (in pixels) a polygon grows or shrinks when it hides.
 pub(super) const ORDER_MARGIN_PX: f32 = 2e-4;
 /// How far (in pixels) a vertex polygon may stick out of its disc.
-const ARC_TOLERANCE_PX: f32 = 0.01;
+pub(super) const ARC_TOLERANCE_PX: f32 = 0.01;
 /// Vertex polygons have 8, 10, … 64 sides, then powers of two up to this.
 const MOST_SIDES: usize = 4096;
 const MOST_EVEN_SIDES: usize = 64;
 /// Discs below this radius (in pixels) are points.
-const SMALLEST_RADIUS_PX: f32 = 1e-6;
+pub(super) const SMALLEST_RADIUS_PX: f32 = 1e-6;
 
 /// Place in the total order of the polygon round node `k`.
 pub(super) fn polygon_order(k: usize) -> u32 {
@@ -155,15 +155,39 @@ fn ring(wanted: usize) -> (usize, usize) {
     (sides, sides.min(MOST_EVEN_SIDES) / 2 - 4 + powers)
 }
 
+/// Unit normals of the regular polygons we keep, in the order of [`ring`].
+fn normals() -> impl Iterator<Item = Vec<[f32; 2]>> {
+    let normals_of = |sides: usize| {
+        let turn = std::f64::consts::TAU / sides as f64;
+        (0..sides).map(|i| (turn * i as f64).sin_cos()).map(|(s, c)| [c as f32, s as f32]).collect()
+    };
+    let evens = (8..=MOST_EVEN_SIDES).step_by(2);
+    let powers = (1..).map(|i| MOST_EVEN_SIDES << i).take_while(|&sides| sides <= MOST_SIDES);
+    evens.chain(powers).map(normals_of)
+}
+
+/// A regular polygon as shaders are given it.
+#[cfg(feature = "gpu")]
+pub(crate) struct Ring {
+    pub normals: Vec<[f32; 2]>,
+    /// Circumscribed over inscribed radius.
+    pub stretch: f32,
+    /// Half a side over the inscribed radius.
+    pub half_side: f32,
+}
+
+/// All regular polygons we keep.
+#[cfg(feature = "gpu")]
+pub(crate) fn rings() -> impl Iterator<Item = Ring> {
+    normals().map(|normals| {
+        let half_turn = std::f32::consts::PI / normals.len() as f32;
+        Ring { normals, stretch: 1.0 / half_turn.cos(), half_side: half_turn.tan() }
+    })
+}
+
 impl Default for Circles {
     fn default() -> Self {
-        let normals_of = |sides: usize| {
-            let turn = std::f64::consts::TAU / sides as f64;
-            (0..sides).map(|i| (turn * i as f64).sin_cos()).map(|(s, c)| [c as f32, s as f32]).collect::<Vec<_>>()
-        };
-        let evens = (8..=MOST_EVEN_SIDES).step_by(2);
-        let powers = (1..).map(|i| MOST_EVEN_SIDES << i).take_while(|&sides| sides <= MOST_SIDES);
-        let normals: Vec<_> = evens.chain(powers).map(normals_of).collect();
+        let normals: Vec<_> = normals().collect();
         // The last group repeats its last normal, which changes nothing.
         let group = |ring: &Vec<[f32; 2]>| {
             let lane = |group: &[[f32; 2]], axis: usize| {

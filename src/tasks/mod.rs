@@ -1,5 +1,6 @@
 //! What a person can ask for, each a short recipe that composes the rooms below.
 
+mod engine;
 mod fit;
 pub mod multiview;
 pub mod preview;

@@ -3,13 +3,14 @@
 //! [`plan`] arranges the drawings and says what any object could show of them; [`Run::start`] grows the first wire;
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
+use super::engine::engine;
 use super::fit::recipe;
 use super::saved::SavedRun;
 use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultReport, TimeReport, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::{Event, Problem, Session, WidthBounds};
+use crate::optimize::{Event, Place, Problem, Session, WidthBounds};
 use crate::sculpture::{MadeWith, Sculpture, render};
-use crate::settings::{Backend, Bend, OnOff, Settings, Start, Turn};
+use crate::settings::{Bend, OnOff, Settings, Start, Turn};
 use crate::start::{
     self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
@@ -76,9 +77,6 @@ const LOW_SHARE: f32 = 0.75;
 /// [`Error::Picture`] for a drawing without ink, [`Error::Pictures`] when they are too few or share no ink at all.
 pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     settings.check()?;
-    if settings.backend == Backend::Gpu {
-        return Err(Error::setting("backend", "no GPU engine is built in yet", "use auto or cpu"));
-    }
     if drawings.len() < 2 {
         return Err(Error::Pictures {
             problem: format!(
@@ -298,12 +296,15 @@ impl Run {
     /// returning false.
     ///
     /// # Errors
-    /// As the start chosen by the settings, and [`Problem::check`].
+    /// As the start chosen by the settings, and [`Problem::check`]; [`Error::Device`] if a graphics card is asked for
+    /// and there is none that computes rightly.
     pub fn start(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
+        // First of all: who asks for a device that is not there should not have to wait for it.
+        let engine = engine(settings.backend)?;
         let bending = if plan.bends_before(settings) { BENDING_SHARE } else { 0.0 };
         let (targets, moved_before) = plan.targets_to_fit(settings, &mut |share| progress(bending * share))?;
         let wire = plan.first_wire(&targets, settings, &mut |share| progress(bending + (1.0 - bending) * share))?;
-        let session = Session::new(plan.problem(wire, targets, settings))?;
+        let session = Session::with_engine(plan.problem(wire, targets, settings), engine)?;
         Ok(Run { plan, settings: settings.clone(), session, moved_before })
     }
 
@@ -328,7 +329,8 @@ impl Run {
         let (targets, moved_before) = plan.targets_to_fit(settings, progress)?;
         // The wire as it was grown is gone; only its form counts now.
         let problem = plan.problem(saved.wire().clone(), targets, settings);
-        Ok(Run { settings: settings.clone(), session: Session::resume(problem, saved)?, plan, moved_before })
+        let session = Session::resume_with_engine(problem, saved, engine(settings.backend)?)?;
+        Ok(Run { settings: settings.clone(), session, plan, moved_before })
     }
 
     /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
@@ -417,11 +419,12 @@ impl Run {
                 .unwrap_or_default(),
             count: event.count,
         });
+        let Place { backend, device } = self.session.place();
         Report {
             task: "multiview".into(),
             seed: self.settings.seed,
-            backend: "cpu".into(),
-            device: "processor".into(),
+            backend: backend.into(),
+            device,
             settings: self.settings.to_map(),
             stopped,
             time,

@@ -105,13 +105,13 @@ impl View {
 /// A view turned into numbers: affine rows from world to camera axes, and the scale to pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera<R> {
-    right: [R; 4],
-    down: [R; 4],
-    forward: [R; 4],
+    pub(crate) right: [R; 4],
+    pub(crate) down: [R; 4],
+    pub(crate) forward: [R; 4],
     /// Pixels per world unit (orthographic) or focal length in pixels (perspective).
-    scale: R,
-    centre_px: [R; 2],
-    perspective: bool,
+    pub(crate) scale: R,
+    pub(crate) centre_px: [R; 2],
+    pub(crate) perspective: bool,
 }
 
 fn dot<R: Real>(row: &[R; 4], p: &[R; 4]) -> R {

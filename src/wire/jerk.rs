@@ -27,6 +27,11 @@ impl<R: Real> Jerk<R> {
         Jerk { rows: LinearMap::new(wire.control_points.len(), rows) }
     }
 
+    /// The map to `√D C'''`, one row a span.
+    pub fn rows(&self) -> &LinearMap<R> {
+        &self.rows
+    }
+
     /// Number of spans.
     pub fn spans(&self) -> usize {
         self.rows.rows().len()

@@ -53,16 +53,19 @@ pub fn chromium() -> Result<PathBuf> {
     find_program(BROWSERS).ok_or_else(|| "Chromium was installed but is not on the PATH; set CHROMIUM to it".into())
 }
 
-/// A software Vulkan driver, so that GPU code has a device to be tested on. Nothing fails without it.
-pub fn software_vulkan() {
+/// A software Vulkan driver, so that GPU code has a device to be tested on, and whether there is one.
+pub fn software_vulkan() -> bool {
     let driver_folder = Path::new("/usr/share/vulkan/icd.d");
-    let found = driver_folder.read_dir().is_ok_and(|mut files| {
-        files.any(|file| file.is_ok_and(|file| file.file_name().to_string_lossy().starts_with("lvp_icd")))
-    });
+    let is_there = || {
+        driver_folder.read_dir().is_ok_and(|mut files| {
+            files.any(|file| file.is_ok_and(|file| file.file_name().to_string_lossy().starts_with("lvp_icd")))
+        })
+    };
     if cfg!(target_os = "linux")
-        && !found
+        && !is_there()
         && let Err(error) = install("a software Vulkan driver", &["mesa-vulkan-drivers", "libvulkan1"])
     {
         say(format!("going on without a software Vulkan driver: {error}"));
     }
+    is_there()
 }

@@ -15,7 +15,7 @@ use wire4d::view::{GreyDepth, Image, ViewSpec, encode_png, parse_placed_picture,
 use wire4d::{Error, Result, sculpture};
 
 /// Iterations between two looks at the clock and at Ctrl-C.
-const SLICE: usize = 5;
+const SLICE: usize = 16;
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches)?;
@@ -63,6 +63,9 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     while !run.session().is_done() && !stop.load(Ordering::Relaxed) {
         run.step(SLICE);
         bar.set_position(run.session().iteration() as u64);
+    }
+    if let Some(trouble) = run.session().engine_trouble() {
+        say(&format!("went on on the processor: {trouble}"));
     }
     bar.set_message("Measuring");
     let total_s = begin.elapsed().as_secs_f64();

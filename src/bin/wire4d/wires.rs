@@ -78,7 +78,7 @@ pub fn open(matches: &ArgMatches) -> Result<()> {
 /// `wire4d raster`.
 pub fn raster(matches: &ArgMatches) -> Result<()> {
     if matches.get_one::<String>("backend").is_some_and(|backend| backend == "gpu") {
-        return Err(Error::setting("--backend", "no GPU engine is built in yet", "use auto or cpu"));
+        return Err(Error::setting("--backend", "one scene is drawn on the processor alone", "use auto or cpu"));
     }
     let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
     let job = SceneJob {
@@ -97,7 +97,7 @@ pub fn raster(matches: &ArgMatches) -> Result<()> {
 /// `wire4d device`.
 pub fn device(_: &ArgMatches) -> Result<()> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    println!("backend: cpu, {} with {threads} threads (no GPU engine is built in yet)", std::env::consts::ARCH);
+    println!("backend: cpu, {} with {threads} threads", std::env::consts::ARCH);
     println!("limits: {MAX_CONTROL_POINTS} control points, pictures of {MAX_PICTURE_PX} px a side");
     let difference = self_check();
     if difference > SELF_CHECK_TOLERANCE {
@@ -108,6 +108,32 @@ pub fn device(_: &ArgMatches) -> Result<()> {
         });
     }
     println!("self-check: passed, coverage within {difference:.3} of the reference");
+    graphics_card()
+}
+
+/// The device that `--backend gpu` would take, its limits, and whether it computes what the processor does.
+#[cfg(feature = "gpu")]
+fn graphics_card() -> Result<()> {
+    use wire4d::gpu::{Device, GpuEngine, Kind, self_check};
+    let device = match Device::acquire(Kind::Any) {
+        Ok(device) => device,
+        Err(error) => {
+            println!("backend: gpu, none ({error})");
+            return Ok(());
+        }
+    };
+    println!("backend: gpu, {}", device.info());
+    let limits = device.limits().map(|(name, value)| format!("{value} {name}"));
+    println!("limits: {}", limits.join(", "));
+    let difference = self_check(&mut GpuEngine::unchecked(&device, 1)?)?;
+    println!("self-check: passed, loss and gradient within {difference:.1e} of the processor's");
+    Ok(())
+}
+
+/// No device without the feature.
+#[cfg(not(feature = "gpu"))]
+fn graphics_card() -> Result<()> {
+    println!("backend: gpu, not in this build");
     Ok(())
 }
 

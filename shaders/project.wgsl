@@ -1,0 +1,63 @@
+// Samples to pixels, and the adjoint of that. Twin of src/view/camera.rs.
+
+const NEAREST_DEPTH: f32 = 1e-3;
+
+fn affine(row: vec4f, sample: vec4f) -> f32 {
+    return dot(row.xyz, sample.xyz) + row.w;
+}
+
+fn depth_of(view: u32, sample: vec4f) -> f32 {
+    return max(affine(scene.view[view].forward, sample), NEAREST_DEPTH);
+}
+
+/// Pixels per world unit at the sample's depth.
+fn pixels_per_world(view: u32, sample: vec4f) -> f32 {
+    let scale = scene.view[view].scale;
+    return select(scale, scale / depth_of(view, sample), scene.view[view].perspective == 1u);
+}
+
+/// Whether a number is finite and within reach of any picture. On bits, as shaders may take it that no number is NaN.
+fn within_reach(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7fffffffu) <= bitcast<u32>(FARTHEST_PX);
+}
+
+/// One thread a sample and view.
+@compute @workgroup_size(64)
+fn project(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= scene.samples {
+        return;
+    }
+    let sample = samples[id.x];
+    let view = id.y;
+    let k = pixels_per_world(view, sample);
+    let seen = vec2f(affine(scene.view[view].right, sample), affine(scene.view[view].down, sample));
+    let center = scene.view[view].centre_px + k * seen;
+    let radius = k * 0.5 * sample.w;
+    let usable = within_reach(center.x) && within_reach(center.y) && within_reach(radius)
+        && links[id.x].x != id.x;
+    vertices[view * scene.samples + id.x] = vec4f(center, max(radius, 0.0), select(0.0, 1.0, usable));
+}
+
+/// One thread a sample, views in order. With p = k q, k = f / z: dq = k dp, dz = -(k / z) sum q dp.
+@compute @workgroup_size(64)
+fn project_vjp(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= scene.samples {
+        return;
+    }
+    let sample = samples[id.x];
+    var sum = vec4f();
+    for (var view = 0u; view < scene.views; view++) {
+        let d = d_vertices[view * scene.samples + id.x];
+        let k = pixels_per_world(view, sample);
+        let right = scene.view[view].right;
+        let down = scene.view[view].down;
+        var d_sample = vec4f(k * (right.xyz * d.x + down.xyz * d.y), k * 0.5 * d.z);
+        if scene.view[view].perspective == 1u {
+            let along = affine(right, sample) * d.x + affine(down, sample) * d.y + 0.5 * sample.w * d.z;
+            let d_depth = -(k / depth_of(view, sample)) * along;
+            d_sample += vec4f(scene.view[view].forward.xyz * d_depth, 0.0);
+        }
+        sum += d_sample;
+    }
+    d_samples[id.x] = sum;
+}

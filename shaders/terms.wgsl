@@ -1,0 +1,54 @@
+// The row of loss terms: one workgroup adds everything up, in fixed order.
+
+const GROUP: u32 = 256u;
+
+var<workgroup> tree: array<f32, GROUP>;
+
+fn sum_up(value: f32, local: u32) -> f32 {
+    workgroupBarrier();
+    tree[local] = value;
+    workgroupBarrier();
+    for (var half = GROUP / 2u; half > 0u; half /= 2u) {
+        if local < half {
+            tree[local] += tree[local + half];
+        }
+        workgroupBarrier();
+    }
+    return tree[0];
+}
+
+@compute @workgroup_size(256)
+fn add_terms(@builtin(local_invocation_index) local: u32) {
+    let row = now.row * (scene.views + 4u);
+    var total = 0.0;
+    for (var view = 0u; view < scene.views; view++) {
+        var image = 0.0;
+        for (var i = local; i < scene.view[view].partials; i += GROUP) {
+            image += partials[scene.view[view].first_partial + i];
+        }
+        image = sum_up(image, local);
+        total += image;
+        if local == 0u {
+            terms[row + 1u + view] = image;
+        }
+    }
+    var jerk = 0.0;
+    for (var span = local; span < scene.spans; span += GROUP) {
+        let third = jerk_of_span(span);
+        jerk += dot(jerk_weights(), third * third);
+    }
+    jerk = sum_up(jerk, local);
+    var path = 0.0;
+    if now.length > 0.0 {
+        for (var sample = local; sample < scene.samples; sample += GROUP) {
+            path += length_after(sample);
+        }
+    }
+    path = now.length * sum_up(path, local);
+    if local == 0u {
+        terms[row] = total + jerk + path;
+        terms[row + scene.views + 1u] = jerk;
+        terms[row + scene.views + 2u] = path;
+        terms[row + scene.views + 3u] = f32(atomicLoad(&cells[0]));
+    }
+}

@@ -1,0 +1,152 @@
+//! Buffers on the device, and reading them back.
+
+use super::device::Device;
+use super::layout::{JOINT_BYTES, MOST_LEVELS, SHAPE_BYTES};
+use super::stage::{SLOTS, Slot};
+use super::upload::Upload;
+use crate::Result;
+use bytemuck::Pod;
+use wgpu::BufferUsages as Usage;
+
+/// Where one of several uniforms may begin: WebGPU's default alignment.
+pub(super) const UNIFORM_STRIDE: usize = 256;
+/// Entries of a node in `d_pieces`.
+const PULLS: usize = 9;
+
+/// All buffers of a scene, by [`Slot`].
+pub(super) struct Buffers {
+    buffers: Vec<wgpu::Buffer>,
+}
+
+impl Buffers {
+    /// For iterations of up to `batch` a submission.
+    ///
+    /// # Errors
+    /// [`crate::Error::Device`] if a buffer is larger than the device takes, or there is no memory left.
+    pub fn new(device: &Device, upload: &Upload, batch: usize) -> Result<Buffers> {
+        let scene = &upload.scene;
+        let [points, samples, views, pixels] =
+            [scene.points, scene.samples, scene.views, scene.pixels].map(|count| count as usize);
+        let nodes = samples * views;
+        let vec4 = 4 * size_of::<f32>();
+        let bytes = |slot: Slot| -> usize {
+            match slot {
+                Slot::Step => batch * UNIFORM_STRIDE,
+                Slot::Scene => size_of_val(scene),
+                Slot::Pass => MOST_LEVELS * UNIFORM_STRIDE,
+                Slot::SamplingRows => size_of_val(&*upload.sampling.rows),
+                Slot::SamplingStarts => size_of_val(&*upload.sampling.starts),
+                Slot::SamplingTerms => size_of_val(&*upload.sampling.terms),
+                Slot::Links => size_of_val(&*upload.links),
+                Slot::JerkRows => size_of_val(&*upload.jerk.rows),
+                Slot::JerkStarts => size_of_val(&*upload.jerk.starts),
+                Slot::JerkTerms => size_of_val(&*upload.jerk.terms),
+                Slot::Levels => size_of_val(&*upload.levels),
+                Slot::Circles => size_of_val(&*upload.circles),
+                Slot::TargetInk | Slot::Coverage => 4 * pixels,
+                Slot::State => 3 * points * vec4,
+                Slot::Samples | Slot::DSamples => samples * vec4,
+                Slot::Vertices | Slot::DVertices => nodes * vec4,
+                Slot::Joints => nodes * JOINT_BYTES as usize,
+                Slot::Shapes => nodes * SHAPE_BYTES as usize,
+                Slot::Cells => 4 * (scene.cells_head() + 2 * nodes + 2 * scene.entries as usize),
+                Slot::Sums => 4 * (pixels + upload.rows),
+                Slot::Pyramid => 4 * upload.pyramid,
+                Slot::Partials => 4 * upload.partials,
+                Slot::DPieces => nodes * PULLS * vec4,
+                Slot::DPointsImage | Slot::DPoints => points * vec4,
+                Slot::Terms => 4 * batch * (views + 4),
+            }
+        };
+        let limits = device.device.limits();
+        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        let mut sizes = [0u64; SLOTS.len()];
+        for &slot in SLOTS {
+            let size = bytes(slot).max(vec4).next_multiple_of(vec4) as u64;
+            if size > most {
+                return Err(device.error(format!("the fit takes a buffer of {size} bytes and this device {most}")));
+            }
+            sizes[slot as usize] = size;
+        }
+        let buffers = device.watched(|| {
+            let create = |&slot: &Slot| {
+                let kind = match slot {
+                    Slot::Step | Slot::Scene | Slot::Pass => Usage::UNIFORM,
+                    _ => Usage::STORAGE,
+                };
+                device.device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some(&format!("{slot:?}")),
+                    size: sizes[slot as usize],
+                    usage: kind | Usage::COPY_DST | Usage::COPY_SRC,
+                    mapped_at_creation: false,
+                })
+            };
+            SLOTS.iter().map(create).collect()
+        })?;
+        let made = Buffers { buffers };
+        made.write(device, Slot::Scene, 0, std::slice::from_ref(scene));
+        made.write(device, Slot::SamplingRows, 0, &upload.sampling.rows);
+        made.write(device, Slot::SamplingStarts, 0, &upload.sampling.starts);
+        made.write(device, Slot::SamplingTerms, 0, &upload.sampling.terms);
+        made.write(device, Slot::Links, 0, &upload.links);
+        made.write(device, Slot::JerkRows, 0, &upload.jerk.rows);
+        made.write(device, Slot::JerkStarts, 0, &upload.jerk.starts);
+        made.write(device, Slot::JerkTerms, 0, &upload.jerk.terms);
+        made.write(device, Slot::Levels, 0, &upload.levels);
+        made.write(device, Slot::Circles, 0, &upload.circles);
+        made.write(device, Slot::TargetInk, 0, &upload.target_ink);
+        for level in 0..MOST_LEVELS {
+            made.write(device, Slot::Pass, level * UNIFORM_STRIDE, &[level as u32]);
+        }
+        Ok(made)
+    }
+
+    pub fn get(&self, slot: Slot) -> &wgpu::Buffer {
+        &self.buffers[slot as usize]
+    }
+
+    /// Writes values from a byte offset on.
+    pub fn write<T: Pod>(&self, device: &Device, slot: Slot, offset: usize, values: &[T]) {
+        device.queue.write_buffer(self.get(slot), offset as u64, bytemuck::cast_slice(values));
+    }
+
+    /// Reads byte ranges of several buffers in one go; waits for all work before.
+    ///
+    /// # Errors
+    /// [`crate::Error::Device`] if the device is lost.
+    pub fn read(&self, device: &Device, wanted: &[(Slot, std::ops::Range<usize>)]) -> Result<Vec<Vec<u8>>> {
+        let total: usize = wanted.iter().map(|(_, bytes)| bytes.len()).sum();
+        let staging = device.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: total.max(4) as u64,
+            usage: Usage::MAP_READ | Usage::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let mut encoder = device.device.create_command_encoder(&Default::default());
+        let mut at = 0;
+        for (slot, bytes) in wanted {
+            let length = bytes.len() as u64;
+            encoder.copy_buffer_to_buffer(self.get(*slot), bytes.start as u64, &staging, at, length);
+            at += length;
+        }
+        device.queue.submit([encoder.finish()]);
+        let (sender, receiver) = std::sync::mpsc::channel();
+        staging.map_async(wgpu::MapMode::Read, .., move |result| drop(sender.send(result)));
+        let lost = |what: String| device.error(format!("the device does not answer ({what})"));
+        device.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| lost(error.to_string()))?;
+        match receiver.try_recv() {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => return Err(lost(error.to_string())),
+            Err(error) => return Err(lost(error.to_string())),
+        }
+        device.faultless()?;
+        let mapped = staging.get_mapped_range(..).map_err(|error| lost(error.to_string()))?;
+        let mut parts = Vec::with_capacity(wanted.len());
+        let mut at = 0;
+        for (_, bytes) in wanted {
+            parts.push(mapped[at..at + bytes.len()].to_vec());
+            at += bytes.len();
+        }
+        Ok(parts)
+    }
+}

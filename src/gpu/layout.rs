@@ -1,0 +1,137 @@
+//! Structures that shaders share, as `shaders/layout.wgsl` lays them out. A test compares every member's place.
+
+use bytemuck::{Pod, Zeroable};
+use std::mem::{offset_of, size_of};
+
+/// The most views of one scene.
+pub const MOST_VIEWS: usize = 64;
+/// The most levels of one pyramid.
+pub const MOST_LEVELS: usize = 16;
+/// Regular polygons by number of sides.
+pub const RINGS: usize = 35;
+
+/// The numbers of one iteration.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
+pub struct Step {
+    pub rates: [f32; 4],
+    pub width_bounds: [f32; 2],
+    pub level_ratio: f32,
+    pub jerk_position: f32,
+    pub jerk_width: f32,
+    pub length: f32,
+    pub beta1: f32,
+    pub beta2: f32,
+    pub correction1: f32,
+    pub correction2: f32,
+    pub epsilon: f32,
+    pub per_point: u32,
+    pub row: u32,
+    pub padding: [u32; 3],
+}
+
+/// A view's camera, and where its share of each buffer begins.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
+pub struct View {
+    pub right: [f32; 4],
+    pub down: [f32; 4],
+    pub forward: [f32; 4],
+    pub centre_px: [f32; 2],
+    pub scale: f32,
+    pub perspective: u32,
+    pub width: u32,
+    pub height: u32,
+    pub first_pixel: u32,
+    pub first_row: u32,
+    pub first_cell: u32,
+    pub columns: u32,
+    pub rows: u32,
+    pub levels: u32,
+    pub weight: f32,
+    pub first_partial: u32,
+    pub partials: u32,
+    pub padding: u32,
+}
+
+/// Counts, regular polygons and views.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct Scene {
+    pub points: u32,
+    pub samples: u32,
+    pub views: u32,
+    pub spans: u32,
+    pub pixels: u32,
+    pub cells: u32,
+    pub entries: u32,
+    pub gaussian: u32,
+    pub rings: [[f32; 4]; RINGS],
+    pub view: [View; MOST_VIEWS],
+}
+
+impl Scene {
+    /// Numbers in the `cells` buffer before its lists: a count of entries, one of large polygons a view, a head a cell.
+    pub fn cells_head(&self) -> usize {
+        1 + MOST_VIEWS + self.cells as usize
+    }
+}
+
+/// A row of a banded map.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct Row {
+    pub first: u32,
+    pub weights: [f32; 4],
+}
+
+/// An entry of a transposed map.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct Term {
+    pub row: u32,
+    pub weight: f32,
+}
+
+/// One level of one view's pyramid.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
+pub struct Level {
+    pub offset: u32,
+    pub width: u32,
+    pub height: u32,
+    pub first_partial: u32,
+}
+
+/// Bytes of a `Joint` as shaders lay it out. The processor never reads one.
+pub const JOINT_BYTES: u64 = 56;
+/// Bytes of a `Shape`, likewise.
+pub const SHAPE_BYTES: u64 = 112;
+
+/// A structure's name and size in shaders, and its members with their offsets.
+pub type Layout = (&'static str, usize, &'static [(&'static str, usize)]);
+
+macro_rules! layouts {
+    ($($name:ident { $($member:ident),* $(,)? })*) => {
+        /// What shaders must agree with: each structure's size and its members' offsets, in bytes.
+        pub const SHADER_LAYOUTS: &[Layout] = &[
+            $((stringify!($name), size_of::<$name>(), &[$((stringify!($member), offset_of!($name, $member))),*]),)*
+            ("Joint", JOINT_BYTES as usize, &[]),
+            ("Shape", SHAPE_BYTES as usize, &[]),
+        ];
+    };
+}
+layouts! {
+    Step {
+        rates, width_bounds, level_ratio, jerk_position, jerk_width, length, beta1, beta2, correction1, correction2,
+        epsilon, per_point, row,
+    }
+    View {
+        right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,
+        rows, levels, weight, first_partial, partials, padding,
+    }
+    Scene { points, samples, views, spans, pixels, cells, entries, gaussian, rings, view }
+    Row { first, weights }
+    Term { row, weight }
+    Level { offset, width, height, first_partial }
+}

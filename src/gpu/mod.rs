@@ -1,0 +1,20 @@
+//! The fit on a graphics card: every stage of an iteration as a compute shader, named like its twin on the processor.
+//!
+//! Plain WebGPU: at most 8 storage buffers a stage, 256 invocations and 16 KiB a workgroup, integer atomics only.
+//! Forward sums are integers and backward sums are gathered in fixed order, so a device gives the same bits each time.
+
+mod buffers;
+mod check;
+mod device;
+mod engine;
+mod layout;
+mod pipeline;
+mod stage;
+mod upload;
+
+pub use check::{SELF_CHECK_TOLERANCE, self_check};
+pub use device::{Device, DeviceInfo, Kind};
+pub use engine::GpuEngine;
+pub use layout::SHADER_LAYOUTS;
+pub use pipeline::Pipeline;
+pub use stage::{STAGES, Slot, Stage};

@@ -1,0 +1,291 @@
+//! The stages of an iteration in order: their shaders, which buffers they use, and over what they spread.
+
+macro_rules! slots {
+    ($($name:ident,)*) => {
+        /// A buffer, by its binding in every shader; see `shaders/layout.wgsl` for what is in it.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        #[repr(u32)]
+        #[allow(missing_docs, reason = "shaders/layout.wgsl describes each")]
+        pub enum Slot {
+            $($name,)*
+        }
+
+        /// All of them, by binding.
+        pub(super) const SLOTS: &[Slot] = &[$(Slot::$name,)*];
+    };
+}
+slots! {
+    Step,
+    Scene,
+    Pass,
+    SamplingRows,
+    SamplingStarts,
+    SamplingTerms,
+    Links,
+    JerkRows,
+    JerkStarts,
+    JerkTerms,
+    Levels,
+    Circles,
+    TargetInk,
+    State,
+    Samples,
+    Vertices,
+    Joints,
+    Shapes,
+    Cells,
+    Sums,
+    Coverage,
+    Pyramid,
+    Partials,
+    DPieces,
+    DVertices,
+    DSamples,
+    DPointsImage,
+    DPoints,
+    Terms,
+}
+
+/// What a buffer is to a shader.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Access {
+    /// A uniform of which each dispatch sees one of several.
+    UniformOfMany,
+    Uniform,
+    Read,
+    ReadWrite,
+}
+
+impl Slot {
+    pub(super) fn access(self) -> Access {
+        match self {
+            Slot::Step | Slot::Pass => Access::UniformOfMany,
+            Slot::Scene => Access::Uniform,
+            slot if (slot as u32) < Slot::State as u32 => Access::Read,
+            _ => Access::ReadWrite,
+        }
+    }
+}
+
+/// What a stage spreads over, hence how many workgroups it takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Over {
+    /// Threads over control points.
+    Points,
+    /// Threads over samples.
+    Samples,
+    /// So many threads a sample and view.
+    SamplesAndViews(u32),
+    /// Threads over the pixels of a level and views: a pass a level, the finest first or last.
+    Levels { finest_first: bool },
+    /// A workgroup a sample and view.
+    Nodes,
+    /// A workgroup a row of pixels and view.
+    Rows,
+    /// A thread for each eight rows of pixels and view.
+    Borders,
+    /// A single workgroup.
+    Once,
+}
+
+/// One compute shader.
+#[derive(Debug, Clone, Copy)]
+pub struct Stage {
+    /// Its entry point.
+    pub name: &'static str,
+    /// Its text, without the constants of [`Stage::source`].
+    pub(super) texts: &'static [&'static str],
+    /// The buffers it uses.
+    pub slots: &'static [Slot],
+    pub(super) over: Over,
+}
+
+macro_rules! text {
+    ($name:literal) => {
+        include_str!(concat!("../../shaders/", $name, ".wgsl"))
+    };
+}
+
+impl Stage {
+    /// The whole shader.
+    pub fn source(&self) -> String {
+        let constants = crate::raster::constants().map(|(name, value)| format!("const {name}: f32 = {value:e};\n"));
+        constants.concat() + &self.texts.join("\n")
+    }
+
+    /// The stage of that name.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn index(name: &str) -> usize {
+        STAGES.iter().position(|stage| stage.name == name).unwrap_or_else(|| panic!("no stage {name}"))
+    }
+}
+
+const LAYOUT: &str = text!("layout");
+const PIECES: &str = text!("pieces");
+const CELLS: &str = text!("cells");
+const HIDDEN: &str = text!("hidden");
+const OUTLINE: &str = text!("outline");
+const WALK: &str = text!("walk");
+
+/// Shader and buffers of a forward stage that traces the outline.
+const fn tracing(name: &'static str, slots: &'static [Slot], over: Over) -> Stage {
+    Stage { name, texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("trace")], slots, over }
+}
+
+/// And of a backward one.
+const fn pulling(name: &'static str, slots: &'static [Slot], over: Over) -> Stage {
+    Stage { name, texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("pull_back")], slots, over }
+}
+
+/// All stages, in the order of an iteration.
+pub const STAGES: &[Stage] = &[
+    Stage {
+        name: "sample",
+        texts: &[LAYOUT, text!("length"), text!("sampling")],
+        slots: &[Slot::Scene, Slot::SamplingRows, Slot::State, Slot::Samples],
+        over: Over::Samples,
+    },
+    Stage {
+        name: "project",
+        texts: &[LAYOUT, text!("project")],
+        slots: &[Slot::Scene, Slot::Links, Slot::Samples, Slot::Vertices],
+        over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "join_pieces",
+        texts: &[LAYOUT, PIECES, text!("joints")],
+        slots: &[Slot::Scene, Slot::Links, Slot::Vertices, Slot::Joints],
+        over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "shape_nodes",
+        texts: &[LAYOUT, PIECES, text!("shapes")],
+        slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes],
+        over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "fill_cells",
+        texts: &[LAYOUT, PIECES, CELLS, text!("fill_cells")],
+        slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells],
+        over: Over::SamplesAndViews(2),
+    },
+    tracing(
+        "trace_straight",
+        &[Slot::Scene, Slot::Circles, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells, Slot::Sums],
+        Over::SamplesAndViews(4),
+    ),
+    tracing("trace_polygons", &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Sums], Over::Nodes),
+    tracing("trace_border", &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Sums], Over::Borders),
+    Stage {
+        name: "finish_rows",
+        texts: &[LAYOUT, CELLS, text!("rows")],
+        slots: &[Slot::Scene, Slot::Shapes, Slot::Cells, Slot::Sums, Slot::Coverage],
+        over: Over::Rows,
+    },
+    Stage {
+        name: "compare",
+        texts: &[LAYOUT, text!("mse")],
+        slots: &[
+            Slot::Step,
+            Slot::Scene,
+            Slot::Pass,
+            Slot::Levels,
+            Slot::TargetInk,
+            Slot::Coverage,
+            Slot::Pyramid,
+            Slot::Partials,
+        ],
+        over: Over::Levels { finest_first: true },
+    },
+    Stage {
+        name: "compare_vjp",
+        texts: &[LAYOUT, text!("mse")],
+        slots: &[Slot::Step, Slot::Scene, Slot::Pass, Slot::Levels, Slot::Pyramid],
+        over: Over::Levels { finest_first: false },
+    },
+    pulling(
+        "pull_straight",
+        &[
+            Slot::Scene,
+            Slot::Circles,
+            Slot::Vertices,
+            Slot::Joints,
+            Slot::Shapes,
+            Slot::Cells,
+            Slot::Pyramid,
+            Slot::DPieces,
+        ],
+        Over::SamplesAndViews(4),
+    ),
+    pulling(
+        "pull_polygons",
+        &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Pyramid, Slot::DPieces],
+        Over::Nodes,
+    ),
+    Stage {
+        name: "gather_pulls",
+        texts: &[LAYOUT, text!("gather")],
+        slots: &[Slot::Scene, Slot::Joints, Slot::DPieces, Slot::DVertices],
+        over: Over::SamplesAndViews(1),
+    },
+    Stage {
+        name: "project_vjp",
+        texts: &[LAYOUT, text!("project")],
+        slots: &[Slot::Scene, Slot::Samples, Slot::DVertices, Slot::DSamples],
+        over: Over::Samples,
+    },
+    Stage {
+        name: "sample_transpose",
+        texts: &[LAYOUT, text!("length"), text!("sampling")],
+        slots: &[
+            Slot::Step,
+            Slot::Scene,
+            Slot::SamplingStarts,
+            Slot::SamplingTerms,
+            Slot::Links,
+            Slot::Samples,
+            Slot::DSamples,
+            Slot::DPointsImage,
+            Slot::DPoints,
+        ],
+        over: Over::Points,
+    },
+    Stage {
+        name: "jerk_gradient",
+        texts: &[LAYOUT, text!("jerk"), text!("jerk_gradient")],
+        slots: &[
+            Slot::Step,
+            Slot::Scene,
+            Slot::JerkRows,
+            Slot::JerkStarts,
+            Slot::JerkTerms,
+            Slot::State,
+            Slot::DPoints,
+        ],
+        over: Over::Points,
+    },
+    Stage {
+        name: "add_terms",
+        texts: &[LAYOUT, text!("length"), text!("jerk"), text!("terms")],
+        slots: &[
+            Slot::Step,
+            Slot::Scene,
+            Slot::Links,
+            Slot::JerkRows,
+            Slot::State,
+            Slot::Samples,
+            Slot::Cells,
+            Slot::Partials,
+            Slot::Terms,
+        ],
+        over: Over::Once,
+    },
+    Stage {
+        name: "adam",
+        texts: &[LAYOUT, text!("adam")],
+        slots: &[Slot::Step, Slot::Scene, Slot::State, Slot::DPoints],
+        over: Over::Points,
+    },
+];

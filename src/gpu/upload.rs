@@ -1,0 +1,197 @@
+//! From a scene to the bytes of the buffers that stay the same until the next one.
+
+use super::device::Device;
+use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
+use crate::objective::{Pyramid, level_sizes};
+use crate::optimize::{Scene, Step};
+use crate::raster::{CELL_PX, rings};
+use crate::wire::{LinearMap, Stroke};
+use crate::{Error, Result};
+
+/// No such sample.
+const NONE: u32 = u32::MAX;
+/// Cell entries there is room for at first. Most polygons touch one to four cells.
+const ENTRIES_A_POLYGON: usize = 6;
+/// Values a workgroup of the loss sums up.
+pub(super) const LOSS_GROUP: usize = 256;
+
+/// What shaders know of a scene, and how much room its buffers take.
+pub(super) struct Upload {
+    pub scene: layout::Scene,
+    pub sampling: Map,
+    pub jerk: Map,
+    pub links: Vec<[u32; 2]>,
+    pub levels: Vec<Level>,
+    pub circles: Vec<[f32; 2]>,
+    pub target_ink: Vec<f32>,
+    /// Entries of the pyramid, the loss's partial sums, the rows of all pictures.
+    pub pyramid: usize,
+    pub partials: usize,
+    pub rows: usize,
+    /// The most levels of any view.
+    pub depth: usize,
+}
+
+/// A banded map and its transpose, the latter as a list of entries a column.
+pub(super) struct Map {
+    pub rows: Vec<Row>,
+    pub starts: Vec<u32>,
+    pub terms: Vec<Term>,
+}
+
+impl Map {
+    fn new(map: &LinearMap<f32>) -> Map {
+        let columns = map.columns();
+        let mut lists = vec![Vec::new(); columns];
+        for (i, row) in map.rows().iter().enumerate() {
+            for (k, &weight) in row.weights.iter().enumerate() {
+                lists[(row.first as usize + k) % columns].push(Term { row: i as u32, weight });
+            }
+        }
+        let mut starts = vec![0];
+        starts.extend(lists.iter().scan(0, |end, list| {
+            *end += list.len() as u32;
+            Some(*end)
+        }));
+        let rows = map.rows().iter().map(|row| Row { first: row.first, weights: row.weights }).collect();
+        Map { rows, starts, terms: lists.concat() }
+    }
+}
+
+/// Previous and next sample of each; both itself where it is in no stroke.
+fn links(strokes: &[Stroke], count: usize) -> Vec<[u32; 2]> {
+    let mut links: Vec<[u32; 2]> = (0..count as u32).map(|k| [k, k]).collect();
+    for stroke in strokes {
+        let (start, end) = (stroke.start, (stroke.start + stroke.count).min(count));
+        let closed = stroke.closed && end > start + 1;
+        for k in start..end {
+            let around = |inside: bool, next: usize, other: usize| match (inside, closed) {
+                (true, _) => next as u32,
+                (false, true) => other as u32,
+                (false, false) => NONE,
+            };
+            links[k] = [around(k > start, k.wrapping_sub(1), end - 1), around(k + 1 < end, k + 1, start)];
+        }
+    }
+    links
+}
+
+impl Upload {
+    /// # Errors
+    /// [`Error::Device`] if the scene has more views, pixels or samples than shaders take.
+    pub fn new(from: &Scene, device: &Device) -> Result<Upload> {
+        let refuse = |what: &str, wanted: usize, most: usize| -> Error {
+            device.error(format!("the fit takes {wanted} {what} and this device {most}"))
+        };
+        let count = from.views.len();
+        if count > MOST_VIEWS {
+            return Err(refuse("views", count, MOST_VIEWS));
+        }
+        let mut scene: layout::Scene = bytemuck::Zeroable::zeroed();
+        let mut levels = vec![Level::default(); MOST_LEVELS * count.max(1)];
+        let (mut pixels, mut rows, mut cells) = (0, 0, 0);
+        let most_groups = device.device.limits().max_compute_workgroups_per_dimension as usize;
+        for (v, view) in from.views.iter().enumerate() {
+            let (width, height) = (view.target.width, view.target.height);
+            let groups = (width * height).div_ceil(LOSS_GROUP).max(height);
+            if groups > most_groups {
+                return Err(refuse("pixels a view", width * height, most_groups * LOSS_GROUP));
+            }
+            let (columns, cell_rows) = (width.div_ceil(CELL_PX as usize), height.div_ceil(CELL_PX as usize));
+            let camera = &view.camera;
+            scene.view[v] = View {
+                right: camera.right,
+                down: camera.down,
+                forward: camera.forward,
+                centre_px: camera.centre_px,
+                scale: camera.scale,
+                perspective: u32::from(camera.perspective),
+                width: width as u32,
+                height: height as u32,
+                first_pixel: pixels as u32,
+                first_row: rows as u32,
+                first_cell: cells as u32,
+                columns: columns as u32,
+                rows: cell_rows as u32,
+                weight: view.weight,
+                ..View::default()
+            };
+            pixels += width * height;
+            rows += height;
+            cells += columns * cell_rows;
+        }
+        // Level 0 of all views first, so that it is indexed as their pictures are.
+        let (mut offset, mut partials, mut depth) = (pixels, 0, 0);
+        for (v, view) in from.views.iter().enumerate() {
+            let sizes = level_sizes(view.target.width, view.target.height);
+            let packed = &mut scene.view[v];
+            (packed.levels, packed.first_partial) = (sizes.len() as u32, partials as u32);
+            for (l, &(width, height)) in sizes.iter().enumerate() {
+                let at = if l == 0 { packed.first_pixel as usize } else { offset };
+                levels[v * MOST_LEVELS + l] = Level {
+                    offset: at as u32,
+                    width: width as u32,
+                    height: height as u32,
+                    first_partial: partials as u32,
+                };
+                offset += if l == 0 { 0 } else { width * height };
+                partials += (width * height).div_ceil(LOSS_GROUP);
+            }
+            packed.partials = partials as u32 - packed.first_partial;
+            depth = depth.max(sizes.len());
+        }
+        let samples = from.sampling.rows().len();
+        // The widest dispatch has a workgroup a sample.
+        if samples > most_groups {
+            return Err(refuse("samples", samples, most_groups));
+        }
+        let mut circles: Vec<[f32; 2]> = Vec::new();
+        for (packed, ring) in scene.rings.iter_mut().zip(rings()) {
+            *packed = [circles.len() as f32, ring.normals.len() as f32, ring.stretch, ring.half_side];
+            circles.extend(ring.normals);
+        }
+        debug_assert_eq!(rings().count(), RINGS);
+        scene.points = from.sampling.columns() as u32;
+        scene.samples = samples as u32;
+        scene.views = count as u32;
+        scene.spans = from.jerk.spans() as u32;
+        scene.pixels = pixels as u32;
+        scene.cells = cells as u32;
+        scene.entries = (ENTRIES_A_POLYGON * 2 * samples * count + cells) as u32;
+        scene.gaussian = u32::from(from.pyramid == Pyramid::Gaussian);
+        Ok(Upload {
+            scene,
+            sampling: Map::new(&from.sampling),
+            jerk: Map::new(from.jerk.rows()),
+            links: links(&from.strokes, samples),
+            levels,
+            circles,
+            target_ink: from.views.iter().flat_map(|view| view.target.data.iter().copied()).collect(),
+            pyramid: offset,
+            partials,
+            rows,
+            depth,
+        })
+    }
+}
+
+/// The numbers of an iteration that has seen `count` steps of Adam, itself included, and writes row `row` of terms.
+pub(super) fn pack(step: &Step, count: u32, row: usize) -> layout::Step {
+    let correction = |beta: f64| (1.0 - beta.powi(count as i32)) as f32;
+    layout::Step {
+        rates: step.rates,
+        width_bounds: step.width_bounds,
+        level_ratio: step.level_ratio,
+        jerk_position: step.jerk_position,
+        jerk_width: step.jerk_width,
+        length: step.length,
+        beta1: step.adam.beta1 as f32,
+        beta2: step.adam.beta2 as f32,
+        correction1: correction(step.adam.beta1),
+        correction2: correction(step.adam.beta2),
+        epsilon: step.adam.epsilon as f32,
+        per_point: u32::from(step.adam.second_moment == crate::optimize::SecondMoment::PerPoint),
+        row: row as u32,
+        ..Default::default()
+    }
+}

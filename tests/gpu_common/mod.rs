@@ -1,0 +1,78 @@
+//! A device, scenes and measures for the tests of the graphics card's stages.
+
+// Each test file uses its share of them.
+#![allow(dead_code)]
+
+use wire4d::gpu::{Device, Kind};
+use wire4d::objective::Pyramid;
+use wire4d::optimize::{AdamOptions, RasterKind, Scene, SceneView, Step};
+use wire4d::rng::Rng;
+use wire4d::view::{Image, Projection, View};
+use wire4d::wire::{Jerk, Wire};
+
+/// A device, or none with a notice; with `WIRE4D_REQUIRE_GPU` set none is a failure.
+pub fn device() -> Option<Device> {
+    match Device::acquire(Kind::Any) {
+        Ok(device) => Some(device),
+        Err(error) if std::env::var_os("WIRE4D_REQUIRE_GPU").is_none() => {
+            eprintln!("not tested: {error}");
+            None
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// Relative l2 distance.
+pub fn distance<'a>(a: impl IntoIterator<Item = &'a f32>, b: impl IntoIterator<Item = &'a f32>) -> f64 {
+    let (mut off, mut size) = (0.0, 0.0);
+    for (&a, &b) in a.into_iter().zip(b) {
+        off += (f64::from(a) - f64::from(b)).powi(2);
+        size += f64::from(b).powi(2);
+    }
+    (off / f64::max(size, 1e-60)).sqrt()
+}
+
+/// A square view, a wide one and one from an eye.
+pub fn views(size_px: usize) -> Vec<View> {
+    vec![
+        View::orthographic("front", 0.0, 0.0, 2.2, size_px),
+        View::orthographic("side", 1.2, 0.3, 2.2, size_px).with_size(size_px + 5, size_px - 9),
+        View {
+            name: "eye".into(),
+            projection: Projection::Perspective { fov_y_rad: 0.7 },
+            eye: [1.9, 1.1, 2.3],
+            target: [0.1, -0.2, 0.05],
+            up: [0.1, 1.0, 0.0],
+            width_px: size_px,
+            height_px: size_px,
+        },
+    ]
+}
+
+/// A wire's scene with random ink.
+pub fn scene(wire: &Wire, views: &[View], samples: usize, pyramid: Pyramid, seed: u64) -> Scene {
+    let mut rng = Rng::new(seed, 3);
+    let (sampling, strokes) = wire.sampling_map(samples, true);
+    let views = views.iter().enumerate().map(|(v, view)| {
+        let (width, height) = (view.width_px, view.height_px);
+        let data = (0..width * height).map(|_| rng.unit() as f32).collect();
+        SceneView { camera: view.camera(), target: Image { width, height, data }, weight: 0.5 + v as f32 }
+    });
+    Scene { sampling, strokes, jerk: Jerk::new(wire), views: views.collect(), raster: RasterKind::Exact, pyramid }
+}
+
+pub fn points(wire: &Wire) -> Vec<[f32; 4]> {
+    wire.control_points().iter().map(|point| point.map(|c| c as f32)).collect()
+}
+
+pub fn step() -> Step {
+    Step {
+        rates: [0.01, 0.01, 0.01, 0.003],
+        adam: AdamOptions::default(),
+        level_ratio: 0.7,
+        jerk_position: 1e-3,
+        jerk_width: 3e-2,
+        length: 0.02,
+        width_bounds: [0.01, 0.1],
+    }
+}

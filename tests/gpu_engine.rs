@@ -1,0 +1,185 @@
+//! The engine on a device against the processor's: one iteration, whole fits, the same bits every time.
+#![cfg(feature = "gpu")]
+
+mod gpu_common;
+mod optimize_common;
+
+use gpu_common::{device, distance, points, scene, step, views};
+use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
+use wire4d::gpu::{GpuEngine, SELF_CHECK_TOLERANCE, self_check};
+use wire4d::objective::Pyramid;
+use wire4d::optimize::{Adam, CpuEngine, Engine, Problem, RasterKind, Recipe, Scene, Session, State, Step, term_count};
+use wire4d::view::View;
+use wire4d::wire::Wire;
+
+const LOSS: f64 = 1e-4;
+const GRADIENT: f64 = 1e-3;
+
+fn evaluate(engine: &mut dyn Engine, wire: &Wire, views: &[View], step: &Step) -> (Vec<f32>, Vec<[f32; 4]>) {
+    let (mut terms, mut d_points) = (vec![0.0; term_count(views.len())], Vec::new());
+    engine.load(scene(wire, views, 2, Pyramid::AveragePool, 3));
+    engine.evaluate(&points(wire), step, &mut terms, &mut d_points);
+    (terms, d_points)
+}
+
+fn moved(wire: &Wire, change: impl Fn(usize, [f64; 4]) -> [f64; 4]) -> Wire {
+    let points = wire.control_points().iter().enumerate().map(|(i, &point)| change(i, point)).collect();
+    Wire::open_uniform(points).unwrap()
+}
+
+#[test]
+fn an_iteration_agrees_on_random_and_hostile_wires() {
+    let Some(device) = device() else { return };
+    let mut engine = GpuEngine::new(&device).unwrap();
+    let random = random_wire(30, 1);
+    let hostile = [
+        ("random", random.clone()),
+        ("another", random_wire(60, 2)),
+        ("off screen", moved(&random, |_, [x, y, z, w]| [x + 9.0, y, z, w])),
+        ("half off screen", moved(&random, |_, [x, y, z, w]| [x + 1.0, y - 0.7, z, w])),
+        ("zero width", moved(&random, |_, [x, y, z, _]| [x, y, z, 0.0])),
+        ("one span", Wire::open_uniform(random.control_points()[..4].to_vec()).unwrap()),
+        (
+            "coincident points",
+            moved(&random, |i, point| if i % 3 == 0 { point } else { random.control_points()[i / 3 * 3] }),
+        ),
+        ("huge width", moved(&random, |_, [x, y, z, _]| [x, y, z, 1.5])),
+    ];
+    for (name, wire) in hostile {
+        let (terms, d_points) = evaluate(&mut CpuEngine::new(), &wire, &views(64), &step());
+        let (device_terms, device_d_points) = evaluate(&mut engine, &wire, &views(64), &step());
+        assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
+        let loss = distance(&device_terms, &terms);
+        let gradient = distance(device_d_points.as_flattened(), d_points.as_flattened());
+        eprintln!("{name}: loss {loss:.1e}, gradient {gradient:.1e}");
+        assert!(loss <= LOSS && gradient <= GRADIENT, "{name}: loss {loss:.1e}, gradient {gradient:.1e}");
+        // Siblings: other numbers, and a wire a little off, are seen.
+        let (terms, _) = evaluate(&mut engine, &wire, &views(64), &Step { level_ratio: 0.71, ..step() });
+        assert!(distance(&device_terms, &terms) > LOSS, "{name}: another level weight passes");
+        let (_, d_points) = evaluate(&mut engine, &wire, &views(64), &Step { length: 0.03, ..step() });
+        let off = distance(device_d_points.as_flattened(), d_points.as_flattened());
+        assert!(off > GRADIENT, "{name}: another length weight passes ({off:.1e})");
+    }
+}
+
+fn problem() -> Problem {
+    let wire = random_wire(14, 4);
+    let mut recipe = Recipe::best();
+    for (stage, (iterations, size_px)) in recipe.stages.iter_mut().zip([(60, 32), (60, 64)]) {
+        // The device draws every stage exactly, so let the processor do that too.
+        (stage.iterations, stage.size_px, stage.raster) = (iterations, size_px, RasterKind::Exact);
+    }
+    Problem::for_drawings(perturbed(&wire, 0.12, 4), targets_of(&wire, 64), recipe)
+}
+
+#[test]
+fn a_fit_is_as_good_as_the_processors() {
+    let Some(device) = device() else { return };
+    let fitted = |engine: Box<dyn Engine>| {
+        let mut session = Session::with_engine(problem(), engine).unwrap();
+        let started = std::time::Instant::now();
+        session.step(usize::MAX);
+        assert!(session.engine_trouble().is_none() && session.is_done());
+        eprintln!("{:.1} ms an iteration", started.elapsed().as_secs_f64() * 1e3 / session.total() as f64);
+        mean_iou(&session.best(), &session.problem().targets)
+    };
+    let before = mean_iou(&problem().wire, &problem().targets);
+    let cpu = fitted(Box::new(CpuEngine::new()));
+    let gpu = fitted(Box::new(GpuEngine::new(&device).unwrap()));
+    eprintln!("soft IoU: {before} before, {cpu} on the processor, {gpu} on the device");
+    assert!((gpu - cpu).abs() < 0.02, "{gpu} instead of {cpu}");
+    assert!((before - cpu).abs() > 0.04, "a fit that does nothing would pass");
+}
+
+#[test]
+fn the_same_bits_every_time_whatever_the_batch() {
+    let Some(device) = device() else { return };
+    let wire = random_wire(40, 6);
+    let advanced = |batch: usize, step: Step| {
+        let mut engine = GpuEngine::unchecked(&device, batch).unwrap();
+        engine.load(scene(&wire, &views(48), 2, Pyramid::Gaussian, 5));
+        let mut state = State { points: points(&wire), adam: Adam::new(40) };
+        let mut terms = vec![0.0; 6 * term_count(3)];
+        engine.advance(&mut state, &[step; 6], &mut terms, &mut Vec::new());
+        (state, terms, engine.coverage(1).to_vec())
+    };
+    let first = advanced(6, step());
+    assert!(first.0.is_finite() && first.0.adam.count == 6);
+    assert!(first == advanced(6, step()), "twice the same");
+    assert!(first == advanced(2, step()), "in batches of two");
+    assert!(first != advanced(6, Step { level_ratio: 0.70001, ..step() }), "other numbers are seen");
+}
+
+#[test]
+fn lists_that_run_over_are_made_longer() {
+    let Some(device) = device() else { return };
+    // A few pieces right across a large picture: many cells each.
+    let corner = |i: usize| [if i.is_multiple_of(2) { -1.0 } else { 1.0 }, (i as f64 * 0.7).sin(), 0.0, 0.05];
+    let wire = Wire::open_uniform((0..40).map(corner).collect()).unwrap();
+    let views = [View::orthographic("front", 0.0, 0.0, 2.2, 256)];
+    let mut engine = GpuEngine::unchecked(&device, 1).unwrap();
+    let mut pipeline = wire4d::gpu::Pipeline::new(&device, 1).unwrap();
+    pipeline.load(&scene(&wire, &views, 2, Pyramid::AveragePool, 3)).unwrap();
+    let at_first = pipeline.room();
+    pipeline.write(wire4d::gpu::Slot::State, &points(&wire)).unwrap();
+    pipeline.run("sample", "fill_cells", &[step()], 0).unwrap();
+    let wanted = pipeline.read::<u32>(wire4d::gpu::Slot::Cells, 1).unwrap()[0] as usize;
+    assert!(wanted > at_first, "{wanted} entries of {at_first}: this wire tests nothing");
+    let (terms, d_points) = evaluate(&mut CpuEngine::new(), &wire, &views, &step());
+    let (device_terms, device_d_points) = evaluate(&mut engine, &wire, &views, &step());
+    let gradient = distance(device_d_points.as_flattened(), d_points.as_flattened());
+    assert!(distance(&device_terms, &terms) < LOSS && gradient < GRADIENT, "{device_terms:?} {terms:?} {gradient:.1e}");
+}
+
+/// The processor's engine with a gradient that is a little too long.
+struct Crooked(CpuEngine, f32);
+
+impl Engine for Crooked {
+    fn load(&mut self, scene: Scene) {
+        self.0.load(scene);
+    }
+    fn set_target(&mut self, view: usize, ink: &[f32]) {
+        self.0.set_target(view, ink);
+    }
+    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
+        self.0.evaluate(points, step, terms, d_points);
+        d_points.as_flattened_mut().iter_mut().for_each(|d| *d *= self.1);
+    }
+    fn coverage(&self, view: usize) -> &[f32] {
+        self.0.coverage(view)
+    }
+    fn d_coverage(&self, view: usize) -> &[f32] {
+        self.0.d_coverage(view)
+    }
+    fn d_points_image(&self) -> &[[f32; 4]] {
+        self.0.d_points_image()
+    }
+}
+
+#[test]
+fn the_self_check_refuses_what_computes_something_else() {
+    assert_eq!(self_check(&mut Crooked(CpuEngine::new(), 1.0)), Ok(0.0));
+    for factor in [1.05, f32::NAN] {
+        let error = self_check(&mut Crooked(CpuEngine::new(), factor)).unwrap_err().to_string();
+        assert!(error.contains("processor") && error.contains("--backend cpu"), "{error}");
+    }
+    let Some(device) = device() else { return };
+    let difference = self_check(&mut GpuEngine::unchecked(&device, 1).unwrap()).unwrap();
+    eprintln!("self-check: {difference:.1e}");
+    assert!(difference < SELF_CHECK_TOLERANCE / 100.0, "{difference:.1e}");
+}
+
+#[test]
+fn too_much_for_a_device_goes_on_on_the_processor_and_says_so() {
+    let Some(device) = device() else { return };
+    let wire = random_wire(8, 1);
+    let many = vec![View::orthographic("front", 0.0, 0.0, 2.2, 8); 65];
+    let mut engine = GpuEngine::unchecked(&device, 4).unwrap();
+    let found = evaluate(&mut engine, &wire, &many, &step());
+    let trouble = engine.trouble().map(ToString::to_string).unwrap_or_default();
+    assert!(trouble.contains("65 views") && trouble.contains("64"), "{trouble}");
+    assert!(found == evaluate(&mut CpuEngine::new(), &wire, &many, &step()));
+    let mut fine = GpuEngine::unchecked(&device, 4).unwrap();
+    evaluate(&mut fine, &wire, &many[..2], &step());
+    assert!(fine.trouble().is_none());
+}
