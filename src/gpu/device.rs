@@ -12,6 +12,13 @@ pub enum Kind {
     Any,
 }
 
+impl Kind {
+    /// Cards, and with the variable `WIRE4D_SOFTWARE_GPU` set any: who has no card is better off with the processor.
+    pub fn wanted() -> Kind {
+        if std::env::var_os("WIRE4D_SOFTWARE_GPU").is_some() { Kind::Any } else { Kind::Card }
+    }
+}
+
 /// What a device is called and how it is reached.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DeviceInfo {

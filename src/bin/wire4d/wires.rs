@@ -115,7 +115,7 @@ pub fn device(_: &ArgMatches) -> Result<()> {
 #[cfg(feature = "gpu")]
 fn graphics_card() -> Result<()> {
     use wire4d::gpu::{Device, GpuEngine, Kind, self_check};
-    let device = match Device::acquire(Kind::Any) {
+    let device = match Device::acquire(Kind::wanted()) {
         Ok(device) => device,
         Err(error) => {
             println!("backend: gpu, none ({error})");
