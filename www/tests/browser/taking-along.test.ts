@@ -1,6 +1,6 @@
 /** A wire is taken along: as files of every kind, and as a link that needs nothing but the page. */
 
-import { readFile, writeFile } from "node:fs/promises";
+import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
@@ -95,6 +95,7 @@ describe("as a file", () => {
 
   it("PNG of the stage, large and not blank", async () => {
     const { name, bytes } = await save(/^PNG/);
+    await mkdir(SHOTS, { recursive: true });
     await writeFile(join(SHOTS, "saved-picture.png"), bytes);
     expect(name).toMatch(/\.png$/);
     expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([2400, 1800]);
