@@ -69,7 +69,8 @@ describe("a pulled run", () => {
   it("lets snapshots take no more than a few hundredths of its time", async () => {
     const { snapshots } = await pulled(runOf(1000, 1, 10), sees);
     expect(snapshots.length).toBeGreaterThan(2);
-    expect(snapshots.length).toBeLessThan(7);
+    // Five at a hundredth of a second each are a twentieth of the second it takes; the first and the last come on top.
+    expect(snapshots.length).toBeLessThan(9);
   });
 
   it("pauses with all it has, does single steps, and goes on", async () => {

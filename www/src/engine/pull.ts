@@ -12,7 +12,7 @@ const MOST_STEPS = 64;
 const SPEED_MS = 1000;
 /** Snapshots in a whole run, and the share of the running time that they may take. */
 const SNAPSHOTS = 40;
-const SNAPSHOT_SHARE = 0.02;
+const SNAPSHOT_SHARE = 0.05;
 
 type Wanted = "run" | "pause" | "step" | "stop";
 
@@ -42,6 +42,8 @@ export class Pull {
     this.pace.push([0, run.iteration]);
     if (resumed) this.snapped.iteration = run.iteration;
     this.snapshot(run);
+    // The first one pays for all that is done for the first time.
+    this.snapped.ms = 0;
     while (run.iteration < run.iterations && this.wanted !== "stop") {
       if (this.wanted === "pause") {
         await this.rest(run);

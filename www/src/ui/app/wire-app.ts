@@ -53,7 +53,7 @@ export class WireApp extends LitElement {
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
-        <div class="left">
+        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : "Drawings, at rest during a run"}>
           <section id="part-pictures" role=${this.panel()} aria-label="Pictures" ?hidden=${this.folded("pictures")} @open-editor=${this.openEditor}>
             ${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
             <remedy-list .studio=${studio} .state=${now}></remedy-list>
