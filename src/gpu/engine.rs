@@ -227,7 +227,11 @@ impl Engine for GpuEngine {
     fn place(&self) -> Place {
         match &self.instead {
             Some((cpu, _)) => cpu.place(),
-            None => Place { backend: "gpu", device: self.device().info().to_string() },
+            None => Place {
+                backend: "gpu",
+                device: self.device().info().to_string(),
+                why: "The graphics card does the work.".into(),
+            },
         }
     }
 

@@ -81,12 +81,14 @@ impl State {
 }
 
 /// Where an engine computes.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct Place {
     /// `cpu` or `gpu`.
     pub backend: &'static str,
     /// The device's own name.
     pub device: String,
+    /// Why there, a sentence for people.
+    pub why: String,
 }
 
 /// Number of loss terms a row: total, one a view, jerk, length.
@@ -122,7 +124,7 @@ pub trait Engine: Send {
 
     /// Where it computes now.
     fn place(&self) -> Place {
-        Place { backend: "cpu", device: "processor".into() }
+        Place { backend: "cpu", device: "processor".into(), why: "The processor does the work.".into() }
     }
 
     /// Why it no longer computes where it was asked to, if so.

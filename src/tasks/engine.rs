@@ -1,7 +1,7 @@
 //! What computes a fit, as the settings say.
 
 use crate::Result;
-use crate::optimize::{CpuEngine, Engine};
+use crate::optimize::{CpuEngine, Engine, Place};
 use crate::settings::Backend;
 
 /// `gpu`: the best graphics card, if it passes its check. `cpu` and `auto`: the processor; no card has been measured to be
@@ -28,4 +28,12 @@ pub(super) fn engine(backend: Backend) -> Result<Box<dyn Engine>> {
         return Err(crate::Error::setting("backend", "this build computes on the processor alone", "use auto or cpu"));
     }
     Ok(Box::new(CpuEngine::new()))
+}
+
+/// Where a fit with this backend will be computed, and why.
+///
+/// # Errors
+/// [`crate::Error::Device`] if a card is asked for and there is none, or none that computes rightly.
+pub fn place(backend: Backend) -> Result<Place> {
+    Ok(engine(backend)?.place())
 }

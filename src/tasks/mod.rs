@@ -6,3 +6,5 @@ pub mod multiview;
 pub mod preview;
 mod remedies;
 mod saved;
+
+pub use engine::place;

@@ -419,7 +419,7 @@ impl Run {
                 .unwrap_or_default(),
             count: event.count,
         });
-        let Place { backend, device } = self.session.place();
+        let Place { backend, device, .. } = self.session.place();
         Report {
             task: "multiview".into(),
             seed: self.settings.seed,

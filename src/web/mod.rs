@@ -28,6 +28,13 @@ pub fn settings_table() -> String {
     json(&serde_json::json!({ "rows": TABLE, "presets": presets }))
 }
 
+/// Where a fit with this `backend` (a word of the setting) will be computed, and why, as JSON: `{backend, device, why}`.
+#[wasm_bindgen]
+pub async fn place(backend: String) -> Result<String, JsError> {
+    let settings = Settings::from_pairs([("backend", backend.as_str())])?;
+    Ok(json(&crate::tasks::place(settings.backend)?))
+}
+
 /// Settings from a JSON object of texts by name.
 fn parse_settings(text: &str) -> Result<Settings> {
     let pairs: BTreeMap<String, String> = serde_json::from_str(text)

@@ -37,7 +37,7 @@ impl Ears<'_> {
 #[wasm_bindgen]
 impl Run {
     /// Arranges the drawings and grows the first wire.
-    pub fn start(
+    pub async fn start(
         drawings: &DrawingSet,
         settings: &str,
         tell: &js_sys::Function,
@@ -56,7 +56,7 @@ impl Run {
     }
 
     /// Goes on from a checkpoint of a run of the same drawings.
-    pub fn resume(
+    pub async fn resume(
         drawings: &DrawingSet,
         settings: &str,
         checkpoint: &[u8],
@@ -73,8 +73,13 @@ impl Run {
     }
 
     /// Up to `count` more iterations; what happened, as JSON.
-    pub fn step(&mut self, count: usize) -> String {
+    pub async fn step(&mut self, count: usize) -> String {
         json(&self.0.step(count))
+    }
+
+    /// Where the fit is computed now, and why, as JSON: see [`super::place`].
+    pub fn place(&self) -> String {
+        json(&self.0.session().place())
     }
 
     /// Iterations done.

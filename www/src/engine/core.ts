@@ -35,7 +35,7 @@ export interface CoreRun {
   readonly iteration: number;
   readonly iterations: number;
   /** Up to `count` iterations; what happened. */
-  step(count: number): readonly RunEvent[];
+  step(count: number): Promise<readonly RunEvent[]>;
   frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
   snapshot(): Snapshot & { readonly wire: OwnShape };
   targets(): Target[];
@@ -91,11 +91,14 @@ const core = {
     });
   },
 
-  start(drawings: readonly Drawing[], settings: SettingValues, from: Bytes | null, { tell, note }: Ears): CoreRun {
+  async start(drawings: readonly Drawing[], settings: SettingValues, from: Bytes | null, { tell, note }: Ears): Promise<CoreRun> {
     const given = JSON.stringify(settings);
-    const begin = (drawings: wasm.DrawingSet) =>
-      from ? wasm.Run.resume(drawings, given, from, tell, note) : wasm.Run.start(drawings, given, tell, note);
-    return pulled(taken(set(drawings), begin));
+    const taken = set(drawings);
+    try {
+      return pulled(await (from ? wasm.Run.resume(taken, given, from, tell, note) : wasm.Run.start(taken, given, tell, note)));
+    } finally {
+      taken.free();
+    }
   },
 
   open: (given: { code: string } | { file: Bytes; name: string }): Finished =>
@@ -131,7 +134,7 @@ function pulled(run: wasm.Run): CoreRun {
     get iterations() {
       return run.iterations;
     },
-    step: (count) => JSON.parse(run.step(count)) as RunEvent[],
+    step: async (count) => JSON.parse(await run.step(count)) as RunEvent[],
     frame,
     snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),

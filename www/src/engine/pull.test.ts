@@ -13,7 +13,7 @@ function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0) {
     iteration: from,
     iterations,
     asked: [] as number[],
-    step(count: number) {
+    async step(count: number) {
       this.asked.push(count);
       clock += count * ms;
       this.iteration = Math.min(iterations, this.iteration + count);

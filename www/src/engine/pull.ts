@@ -48,7 +48,7 @@ export class Pull {
       if (this.wanted === "pause") {
         await this.rest(run);
       } else {
-        this.slice(run);
+        await this.slice(run);
         await listen();
       }
     }
@@ -64,13 +64,14 @@ export class Pull {
     await new Promise<void>((resolve) => (this.wake = resolve));
   }
 
-  private slice(run: CoreRun): void {
+  private async slice(run: CoreRun): Promise<void> {
     const single = this.wanted === "step";
     if (single) this.wanted = "pause";
     const apart = Math.ceil(run.iterations / SNAPSHOTS);
     const first = run.iteration;
     const before = performance.now();
-    for (const event of run.step(single ? 1 : Math.min(this.steps, apart - (first % apart)))) this.tell({ news: "event", event });
+    const events = await run.step(single ? 1 : Math.min(this.steps, apart - (first % apart)));
+    for (const event of events) this.tell({ news: "event", event });
     const now = performance.now();
     const took = Math.max(0.1, now - before);
     this.runningMs += took;

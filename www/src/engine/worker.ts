@@ -31,7 +31,7 @@ async function run({ drawings, settings, from }: Calls["run"]["arguments"]): Pro
   const mine = (pull = new Pull(tell));
   try {
     const checkpoint = from && new Uint8Array(await from.arrayBuffer());
-    const session = (await loaded()).start(drawings, settings, checkpoint, {
+    const session = await (await loaded()).start(drawings, settings, checkpoint, {
       tell: (words, share) => tell({ news: "progress", words, share }),
       note: (words) => tell({ news: "note", words }),
     });
