@@ -1,10 +1,15 @@
-// A step of Adam and the width's bounds. Twin of src/optimize/adam.rs. One thread a control point.
+// What an iteration leaves behind, then a step of Adam and the width's bounds. Twin of `Tally::note` and `State::step`
+// (src/optimize/engine.rs). One thread a control point.
 
 @compute @workgroup_size(64)
 fn adam(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= scene.points {
         return;
     }
+    if best[0].y == 1.0 {
+        best[1u + id.x] = state[id.x];
+    }
+    gradient_norms[id.x] += now.gradient_share * (length(d_points_image[id.x].xyz) - gradient_norms[id.x]);
     let gradient = d_points[id.x];
     var gradient_squared = gradient * gradient;
     if now.per_point == 1u {

@@ -31,6 +31,10 @@ struct Step {
     per_point: u32,
     /// Which row of terms this iteration writes.
     row: u32,
+    /// Factor that makes image losses comparable over the run.
+    loss_scale: f32,
+    /// This iteration's share in the running means of gradients.
+    gradient_share: f32,
 }
 
 struct View {
@@ -151,24 +155,28 @@ struct Shape {
 
 /// Control points, then their first moments, then their second.
 @group(0) @binding(13) var<storage, read_write> state: array<vec4f>;
-@group(0) @binding(14) var<storage, read_write> samples: array<vec4f>;
+/// The lowest image loss so far and 1 where this iteration has it; then the points that have it.
+@group(0) @binding(14) var<storage, read_write> best: array<vec4f>;
+/// Running means of the length of the image gradient to each point's position.
+@group(0) @binding(15) var<storage, read_write> gradient_norms: array<f32>;
+@group(0) @binding(16) var<storage, read_write> samples: array<vec4f>;
 /// x, y and radius in pixels, and 1 where it is drawn.
-@group(0) @binding(15) var<storage, read_write> vertices: array<vec4f>;
-@group(0) @binding(16) var<storage, read_write> joints: array<Joint>;
-@group(0) @binding(17) var<storage, read_write> shapes: array<Shape>;
+@group(0) @binding(17) var<storage, read_write> vertices: array<vec4f>;
+@group(0) @binding(18) var<storage, read_write> joints: array<Joint>;
+@group(0) @binding(19) var<storage, read_write> shapes: array<Shape>;
 /// See cells.wgsl.
-@group(0) @binding(18) var<storage, read_write> cells: array<atomic<u32>>;
+@group(0) @binding(20) var<storage, read_write> cells: array<atomic<u32>>;
 /// Area sums of all pixels, then what is visible of the left border, row by row.
-@group(0) @binding(19) var<storage, read_write> sums: array<atomic<i32>>;
-@group(0) @binding(20) var<storage, read_write> coverage: array<f32>;
+@group(0) @binding(21) var<storage, read_write> sums: array<atomic<i32>>;
+@group(0) @binding(22) var<storage, read_write> coverage: array<f32>;
 /// Level 0 of all views, then the coarser ones: first the difference, then the gradient.
-@group(0) @binding(21) var<storage, read_write> pyramid: array<f32>;
-@group(0) @binding(22) var<storage, read_write> partials: array<f32>;
+@group(0) @binding(23) var<storage, read_write> pyramid: array<f32>;
+@group(0) @binding(24) var<storage, read_write> partials: array<f32>;
 /// Nine entries a node: adjoint of start and end disc by its four straight edges, and by its polygon.
-@group(0) @binding(23) var<storage, read_write> d_pieces: array<vec4f>;
-@group(0) @binding(24) var<storage, read_write> d_vertices: array<vec4f>;
-@group(0) @binding(25) var<storage, read_write> d_samples: array<vec4f>;
-@group(0) @binding(26) var<storage, read_write> d_points_image: array<vec4f>;
-@group(0) @binding(27) var<storage, read_write> d_points: array<vec4f>;
+@group(0) @binding(25) var<storage, read_write> d_pieces: array<vec4f>;
+@group(0) @binding(26) var<storage, read_write> d_vertices: array<vec4f>;
+@group(0) @binding(27) var<storage, read_write> d_samples: array<vec4f>;
+@group(0) @binding(28) var<storage, read_write> d_points_image: array<vec4f>;
+@group(0) @binding(29) var<storage, read_write> d_points: array<vec4f>;
 /// A row an iteration: total, views, jerk, length, and how many cell entries were wanted.
-@group(0) @binding(28) var<storage, read_write> terms: array<f32>;
+@group(0) @binding(30) var<storage, read_write> terms: array<f32>;

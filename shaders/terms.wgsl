@@ -1,4 +1,4 @@
-// The row of loss terms: one workgroup adds everything up, in fixed order.
+// The row of loss terms, and whether it is the best: one workgroup adds everything up, in fixed order.
 
 const GROUP: u32 = 256u;
 
@@ -50,5 +50,8 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
         terms[row + scene.views + 1u] = jerk;
         terms[row + scene.views + 2u] = path;
         terms[row + scene.views + 3u] = f32(atomicLoad(&cells[0]));
+        let loss = total * now.loss_scale;
+        let is_best = loss < best[0].x;
+        best[0] = vec4f(select(best[0].x, loss, is_best), f32(is_best), 0.0, 0.0);
     }
 }

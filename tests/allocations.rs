@@ -66,14 +66,14 @@ fn session(raster: RasterKind, bending: Option<Bending>) -> Session {
 }
 
 /// Allocations of each iteration but the last, whose event is handed out.
-fn counts(raster: RasterKind, bending: Option<Bending>, between: fn(&Session)) -> Vec<usize> {
+fn counts(raster: RasterKind, bending: Option<Bending>, between: fn(&mut Session)) -> Vec<usize> {
     on_one_thread(|| {
         let mut session = session(raster, bending);
         let mut counts = Vec::with_capacity(ITERATIONS);
         for _ in 1..ITERATIONS {
             counts.push(allocations(|| {
                 assert!(session.step(1).len() <= 1);
-                between(&session);
+                between(&mut session);
             }));
         }
         counts

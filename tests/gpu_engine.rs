@@ -6,9 +6,13 @@ mod optimize_common;
 
 use gpu_common::{device, distance, points, scene, step, views};
 use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
-use wire4d::gpu::{GpuEngine, SELF_CHECK_TOLERANCE, self_check};
+use wire4d::Error;
+use wire4d::gpu::{Absence, Device, GpuEngine, Kind, SELF_CHECK_TOLERANCE, self_check};
 use wire4d::objective::Pyramid;
-use wire4d::optimize::{Adam, CpuEngine, Engine, Problem, RasterKind, Recipe, Scene, Session, State, Step, term_count};
+use wire4d::optimize::{
+    Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, Session, State, Step, Tally, Work,
+    term_count, wait,
+};
 use wire4d::view::View;
 use wire4d::wire::Wire;
 
@@ -17,8 +21,8 @@ const GRADIENT: f64 = 1e-3;
 
 fn evaluate(engine: &mut dyn Engine, wire: &Wire, views: &[View], step: &Step) -> (Vec<f32>, Vec<[f32; 4]>) {
     let (mut terms, mut d_points) = (vec![0.0; term_count(views.len())], Vec::new());
-    engine.load(scene(wire, views, 2, Pyramid::AveragePool, 3));
-    engine.evaluate(&points(wire), step, &mut terms, &mut d_points);
+    wait(engine.load(scene(wire, views, 2, Pyramid::AveragePool, 3)).done());
+    wait(engine.evaluate(&points(wire), step, &mut terms, &mut d_points).done());
     (terms, d_points)
 }
 
@@ -30,7 +34,7 @@ fn moved(wire: &Wire, change: impl Fn(usize, [f64; 4]) -> [f64; 4]) -> Wire {
 #[test]
 fn an_iteration_agrees_on_random_and_hostile_wires() {
     let Some(device) = device() else { return };
-    let mut engine = GpuEngine::new(&device).unwrap();
+    let mut engine = GpuEngine::new(&device, "");
     let random = random_wire(30, 1);
     let hostile = [
         ("random", random.clone()),
@@ -85,29 +89,50 @@ fn a_fit_is_as_good_as_the_processors() {
     };
     let before = mean_iou(&problem().wire, &problem().targets);
     let cpu = fitted(Box::new(CpuEngine::new()));
-    let gpu = fitted(Box::new(GpuEngine::new(&device).unwrap()));
+    let gpu = fitted(Box::new(GpuEngine::new(&device, "")));
     eprintln!("soft IoU: {before} before, {cpu} on the processor, {gpu} on the device");
     assert!((gpu - cpu).abs() < 0.02, "{gpu} instead of {cpu}");
     assert!((before - cpu).abs() > 0.04, "a fit that does nothing would pass");
+}
+
+/// An engine that never finds another device.
+fn engine_of(device: &Device, batch: usize) -> GpuEngine {
+    GpuEngine::with_another(device, batch, String::new(), Box::new(|| Work::Done(Err(Absence::NoAdapter))))
 }
 
 #[test]
 fn the_same_bits_every_time_whatever_the_batch() {
     let Some(device) = device() else { return };
     let wire = random_wire(40, 6);
-    let advanced = |batch: usize, step: Step| {
-        let mut engine = GpuEngine::unchecked(&device, batch).unwrap();
-        engine.load(scene(&wire, &views(48), 2, Pyramid::Gaussian, 5));
+    let advanced = |engine: &mut dyn Engine, step: Step| {
+        wait(engine.load(scene(&wire, &views(48), 2, Pyramid::Gaussian, 5)).done());
         let mut state = State { points: points(&wire), adam: Adam::new(40) };
+        let mut tally = Tally::new(40);
         let mut terms = vec![0.0; 6 * term_count(3)];
-        engine.advance(&mut state, &[step; 6], &mut terms, &mut Vec::new());
-        (state, terms, engine.coverage(1).to_vec())
+        wait(engine.advance(&mut state, &mut tally, &[step; 6], &mut terms).done());
+        wait(engine.fetch(Picture::Coverage).done());
+        (state, tally, terms, engine.picture(Picture::Coverage, 1).to_vec())
     };
-    let first = advanced(6, step());
+    let first = advanced(&mut engine_of(&device, 6), step());
     assert!(first.0.is_finite() && first.0.adam.count == 6);
-    assert!(first == advanced(6, step()), "twice the same");
-    assert!(first == advanced(2, step()), "in batches of two");
-    assert!(first != advanced(6, Step { level_ratio: 0.70001, ..step() }), "other numbers are seen");
+    assert!(first == advanced(&mut engine_of(&device, 6), step()), "twice the same");
+    assert!(first == advanced(&mut engine_of(&device, 2), step()), "in batches of two");
+    assert!(
+        first != advanced(&mut engine_of(&device, 6), Step { level_ratio: 0.70001, ..step() }),
+        "other numbers are seen"
+    );
+    // What is left behind is what the processor leaves behind.
+    let cpu = advanced(&mut CpuEngine::new(), step());
+    let apart = |a: &Tally, b: &Tally| {
+        let norms = distance(&a.gradient_norms, &b.gradient_norms);
+        norms
+            + distance(a.best_points.as_flattened(), b.best_points.as_flattened())
+            + distance(&[a.best_loss], &[b.best_loss])
+    };
+    let off = apart(&first.1, &cpu.1);
+    assert!(off < GRADIENT, "{off:.1e}");
+    let other = advanced(&mut CpuEngine::new(), Step { gradient_share: 0.4, ..step() });
+    assert!(apart(&first.1, &other.1) > GRADIENT, "another share is seen");
 }
 
 #[test]
@@ -117,8 +142,8 @@ fn lists_that_run_over_are_made_longer() {
     let corner = |i: usize| [if i.is_multiple_of(2) { -1.0 } else { 1.0 }, (i as f64 * 0.7).sin(), 0.0, 0.05];
     let wire = Wire::open_uniform((0..40).map(corner).collect()).unwrap();
     let views = [View::orthographic("front", 0.0, 0.0, 2.2, 256)];
-    let mut engine = GpuEngine::unchecked(&device, 1).unwrap();
-    let mut pipeline = wire4d::gpu::Pipeline::new(&device, 1).unwrap();
+    let mut engine = engine_of(&device, 1);
+    let mut pipeline = wire4d::gpu::Pipeline::new(&device, 1);
     pipeline.load(&scene(&wire, &views, 2, Pyramid::AveragePool, 3)).unwrap();
     let at_first = pipeline.room();
     pipeline.write(wire4d::gpu::Slot::State, &points(&wire)).unwrap();
@@ -135,36 +160,49 @@ fn lists_that_run_over_are_made_longer() {
 struct Crooked(CpuEngine, f32);
 
 impl Engine for Crooked {
-    fn load(&mut self, scene: Scene) {
-        self.0.load(scene);
+    fn load(&mut self, scene: Scene) -> Work<'_> {
+        self.0.load(scene)
     }
     fn set_target(&mut self, view: usize, ink: &[f32]) {
         self.0.set_target(view, ink);
     }
-    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
-        self.0.evaluate(points, step, terms, d_points);
+    fn evaluate<'a>(
+        &'a mut self,
+        points: &'a [[f32; 4]],
+        step: &'a Step,
+        terms: &'a mut [f32],
+        d_points: &'a mut Vec<[f32; 4]>,
+    ) -> Work<'a> {
+        self.0.evaluate_now(points, step, terms, d_points);
         d_points.as_flattened_mut().iter_mut().for_each(|d| *d *= self.1);
+        Work::Done(())
     }
-    fn coverage(&self, view: usize) -> &[f32] {
-        self.0.coverage(view)
+    fn advance<'a>(&'a mut self, _: &'a mut State, _: &'a mut Tally, _: &'a [Step], _: &'a mut [f32]) -> Work<'a> {
+        unreachable!("the self-check evaluates only")
     }
-    fn d_coverage(&self, view: usize) -> &[f32] {
-        self.0.d_coverage(view)
+    fn fetch(&mut self, picture: Picture) -> Work<'_> {
+        self.0.fetch(picture)
     }
-    fn d_points_image(&self) -> &[[f32; 4]] {
-        self.0.d_points_image()
+    fn picture(&self, picture: Picture, view: usize) -> &[f32] {
+        self.0.picture(picture, view)
+    }
+    fn batch(&self) -> usize {
+        1
+    }
+    fn place(&self) -> Place {
+        self.0.place()
     }
 }
 
 #[test]
 fn the_self_check_refuses_what_computes_something_else() {
-    assert_eq!(self_check(&mut Crooked(CpuEngine::new(), 1.0)), Ok(0.0));
+    assert_eq!(wait(self_check(&mut Crooked(CpuEngine::new(), 1.0))), Ok(0.0));
     for factor in [1.05, f32::NAN] {
-        let error = self_check(&mut Crooked(CpuEngine::new(), factor)).unwrap_err().to_string();
+        let error = Error::from(wait(self_check(&mut Crooked(CpuEngine::new(), factor))).unwrap_err()).to_string();
         assert!(error.contains("processor") && error.contains("--backend cpu"), "{error}");
     }
     let Some(device) = device() else { return };
-    let difference = self_check(&mut GpuEngine::unchecked(&device, 1).unwrap()).unwrap();
+    let difference = wait(self_check(&mut engine_of(&device, 1))).unwrap();
     eprintln!("self-check: {difference:.1e}");
     assert!(difference < SELF_CHECK_TOLERANCE / 100.0, "{difference:.1e}");
 }
@@ -174,12 +212,59 @@ fn too_much_for_a_device_goes_on_on_the_processor_and_says_so() {
     let Some(device) = device() else { return };
     let wire = random_wire(8, 1);
     let many = vec![View::orthographic("front", 0.0, 0.0, 2.2, 8); 65];
-    let mut engine = GpuEngine::unchecked(&device, 4).unwrap();
+    let mut engine = engine_of(&device, 4);
     let found = evaluate(&mut engine, &wire, &many, &step());
     let trouble = engine.trouble().map(ToString::to_string).unwrap_or_default();
     assert!(trouble.contains("65 views") && trouble.contains("64"), "{trouble}");
     assert!(found == evaluate(&mut CpuEngine::new(), &wire, &many, &step()));
-    let mut fine = GpuEngine::unchecked(&device, 4).unwrap();
+    let mut fine = engine_of(&device, 4);
     evaluate(&mut fine, &wire, &many[..2], &step());
     assert!(fine.trouble().is_none());
+}
+
+/// Everything that must not change when a device is lost in the middle of a fit.
+fn fit_losing(device: &Device, at: &[usize], batch: usize) -> Session {
+    use std::sync::{Arc, Mutex};
+    let held = Arc::new(Mutex::new(device.clone()));
+    let holder = Arc::clone(&held);
+    let another = move || {
+        let found = Device::acquire(Kind::Any);
+        if let Ok(device) = &found {
+            *holder.lock().unwrap() = device.clone();
+        }
+        Work::Done(found)
+    };
+    let engine = GpuEngine::with_another(device, batch, "as asked".into(), Box::new(another));
+    let mut session = Session::with_engine(problem(), Box::new(engine)).unwrap();
+    for &iteration in at {
+        session.step(iteration - session.iteration());
+        held.lock().unwrap().destroy();
+    }
+    session.step(usize::MAX);
+    session
+}
+
+#[test]
+fn a_lost_device_is_replaced_once_and_then_the_processor_takes_over() {
+    let Some(device) = device() else { return };
+    let straight = fit_losing(&device, &[], 16);
+    assert!(straight.engine_trouble().is_none() && straight.place().why == "as asked");
+
+    let once = fit_losing(&device, &[37], 16);
+    let place = once.place();
+    assert!(place.backend == "gpu" && place.why.contains("lost for a moment"), "{place:?}");
+    assert!(once.engine_trouble().is_some());
+    assert_eq!(once.history(), straight.history(), "nothing is lost with it");
+    assert_eq!(once.best(), straight.best());
+
+    let another = Device::acquire(Kind::Any).unwrap();
+    let twice = fit_losing(&another, &[37, 80], 16);
+    let place = twice.place();
+    assert!(place.backend == "cpu" && place.why.contains("the processor has taken over"), "{place:?}");
+    assert!(twice.is_done() && twice.history().len() == straight.history().len());
+    let same = |a: &Session, b: &Session, rows: usize| a.history().rows().take(rows).eq(b.history().rows().take(rows));
+    assert!(same(&twice, &straight, 80), "until then it is the same run");
+    assert!(!same(&twice, &straight, 120), "the processor rounds differently");
+    let apart = mean_iou(&twice.best(), &problem().targets) - mean_iou(&straight.best(), &problem().targets);
+    assert!(apart.abs() < 0.02, "{apart}");
 }

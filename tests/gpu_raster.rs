@@ -8,7 +8,7 @@ use gpu_common::{device, distance, step};
 use raster_wires::{FAMILIES, SIZE, Wires, wires};
 use wire4d::gpu::{Pipeline, Slot};
 use wire4d::objective::Pyramid;
-use wire4d::optimize::{RasterKind, Scene, SceneView};
+use wire4d::optimize::{RasterKind, Scene, SceneView, wait};
 use wire4d::raster::{ExactRaster, Raster};
 use wire4d::rng::Rng;
 use wire4d::view::{Image, View};
@@ -64,7 +64,7 @@ fn on_device(pipeline: &mut Pipeline, wires: &Wires, d_coverage: &[f32]) -> [Dra
         if wanted <= pipeline.room() {
             break;
         }
-        pipeline.make_room(wanted).unwrap();
+        wait(pipeline.make_room(wanted)).unwrap();
     }
     pipeline.write(Slot::Pyramid, d_coverage).unwrap();
     pipeline.run("pull_straight", "gather_pulls", &[step()], 0).unwrap();
@@ -94,7 +94,7 @@ fn adjoint_distance(a: &Drawn, b: &Drawn) -> f64 {
 #[test]
 fn coverage_and_its_adjoint_agree() {
     let Some(device) = device() else { return };
-    let mut pipeline = Pipeline::new(&device, 1).unwrap();
+    let mut pipeline = Pipeline::new(&device, 1);
     let mut wrong = Vec::new();
     for family in FAMILIES {
         let (mut worst, mut worst_adjoint) = (0.0f32, 0.0f64);

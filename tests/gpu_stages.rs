@@ -49,7 +49,7 @@ fn load(pipeline: &mut Pipeline, scene: &Scene, points: &[[f32; 4]]) {
 #[test]
 fn curve_stages_agree() {
     let Some(device) = device() else { return };
-    let mut pipeline = Pipeline::new(&device, 2).unwrap();
+    let mut pipeline = Pipeline::new(&device, 2);
     let step = step();
     for wire in wires() {
         let scene = scene(&wire, &views(32), 3, Pyramid::AveragePool, 1);
@@ -98,7 +98,7 @@ fn curve_stages_agree() {
 #[test]
 fn losses_and_their_gradients_agree() {
     let Some(device) = device() else { return };
-    let mut pipeline = Pipeline::new(&device, 1).unwrap();
+    let mut pipeline = Pipeline::new(&device, 1);
     let step = Step { length: 0.0, jerk_position: 0.0, jerk_width: 0.0, ..step() };
     let wire = random_wire(12, 2);
     for (pyramid, size) in [Pyramid::AveragePool, Pyramid::Gaussian].into_iter().flat_map(|p| [(p, 64), (p, 41)]) {
@@ -128,7 +128,7 @@ fn losses_and_their_gradients_agree() {
 #[test]
 fn adam_agrees() {
     let Some(device) = device() else { return };
-    let mut pipeline = Pipeline::new(&device, 3).unwrap();
+    let mut pipeline = Pipeline::new(&device, 3);
     let wire = random_wire(40, 3);
     for second_moment in [SecondMoment::PerComponent, SecondMoment::PerPoint] {
         let scene = scene(&wire, &views(16), 1, Pyramid::AveragePool, 2);

@@ -19,6 +19,8 @@ fn step() -> Step {
         jerk_width: 2e-3,
         length: 1e-2,
         width_bounds: [0.0, 1.0],
+        loss_scale: 1.0,
+        gradient_share: 0.0,
     }
 }
 

@@ -1,11 +1,12 @@
 //! Buffers on the device, and reading them back.
 
 use super::device::Device;
+use super::fault::{Answer, FaultKind};
 use super::layout::{JOINT_BYTES, MOST_LEVELS, SHAPE_BYTES};
 use super::stage::{SLOTS, Slot};
 use super::upload::Upload;
-use crate::Result;
 use bytemuck::Pod;
+use futures_channel::oneshot;
 use wgpu::BufferUsages as Usage;
 
 /// Where one of several uniforms may begin: WebGPU's default alignment.
@@ -16,14 +17,23 @@ const PULLS: usize = 9;
 /// All buffers of a scene, by [`Slot`].
 pub(super) struct Buffers {
     buffers: Vec<wgpu::Buffer>,
+    /// What is read goes through here; as large as the largest reading so far.
+    staging: Option<wgpu::Buffer>,
+}
+
+impl Drop for Buffers {
+    /// Browsers would keep the memory until they next tidy up.
+    fn drop(&mut self) {
+        self.buffers.iter().chain(&self.staging).for_each(wgpu::Buffer::destroy);
+    }
 }
 
 impl Buffers {
     /// For iterations of up to `batch` a submission.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] if a buffer is larger than the device takes, or there is no memory left.
-    pub fn new(device: &Device, upload: &Upload, batch: usize) -> Result<Buffers> {
+    /// A fault if a buffer is larger than the device takes, or there is no memory left.
+    pub async fn new(device: &Device, upload: &Upload, batch: usize) -> Answer<Buffers> {
         let scene = &upload.scene;
         let [points, samples, views, pixels] =
             [scene.points, scene.samples, scene.views, scene.pixels].map(|count| count as usize);
@@ -45,6 +55,8 @@ impl Buffers {
                 Slot::Circles => size_of_val(&*upload.circles),
                 Slot::TargetInk | Slot::Coverage => 4 * pixels,
                 Slot::State => 3 * points * vec4,
+                Slot::Best => (1 + points) * vec4,
+                Slot::GradientNorms => 4 * points,
                 Slot::Samples | Slot::DSamples => samples * vec4,
                 Slot::Vertices | Slot::DVertices => nodes * vec4,
                 Slot::Joints => nodes * JOINT_BYTES as usize,
@@ -64,7 +76,8 @@ impl Buffers {
         for &slot in SLOTS {
             let size = bytes(slot).max(vec4).next_multiple_of(vec4) as u64;
             if size > most {
-                return Err(device.error(format!("the fit takes a buffer of {size} bytes and this device {most}")));
+                let problem = format!("the fit takes a buffer of {size} bytes and this device {most}");
+                return Err(device.fault(FaultKind::Limits, problem));
             }
             sizes[slot as usize] = size;
         }
@@ -82,8 +95,8 @@ impl Buffers {
                 })
             };
             SLOTS.iter().map(create).collect()
-        })?;
-        let made = Buffers { buffers };
+        });
+        let made = Buffers { buffers: buffers.await?, staging: None };
         made.write(device, Slot::Scene, 0, std::slice::from_ref(scene));
         made.write(device, Slot::SamplingRows, 0, &upload.sampling.rows);
         made.write(device, Slot::SamplingStarts, 0, &upload.sampling.starts);
@@ -110,18 +123,19 @@ impl Buffers {
         device.queue.write_buffer(self.get(slot), offset as u64, bytemuck::cast_slice(values));
     }
 
-    /// Reads byte ranges of several buffers in one go; waits for all work before.
+    /// Bytes of all of them.
+    pub fn bytes(&self) -> u64 {
+        self.buffers.iter().map(wgpu::Buffer::size).sum()
+    }
+
+    /// Reads byte ranges of several buffers in one go, after all work before. A native device is waited for; a browser's
+    /// answers when it is done.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] if the device is lost.
-    pub fn read(&self, device: &Device, wanted: &[(Slot, std::ops::Range<usize>)]) -> Result<Vec<Vec<u8>>> {
-        let total: usize = wanted.iter().map(|(_, bytes)| bytes.len()).sum();
-        let staging = device.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size: total.max(4) as u64,
-            usage: Usage::MAP_READ | Usage::COPY_DST,
-            mapped_at_creation: false,
-        });
+    /// A fault if the device is lost.
+    pub async fn read(&mut self, device: &Device, wanted: &[(Slot, std::ops::Range<usize>)]) -> Answer<Vec<Vec<u8>>> {
+        let total = wanted.iter().map(|(_, bytes)| bytes.len() as u64).sum::<u64>().max(4);
+        let staging = self.staging(device, total).clone();
         let mut encoder = device.device.create_command_encoder(&Default::default());
         let mut at = 0;
         for (slot, bytes) in wanted {
@@ -130,23 +144,42 @@ impl Buffers {
             at += length;
         }
         device.queue.submit([encoder.finish()]);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        staging.map_async(wgpu::MapMode::Read, .., move |result| drop(sender.send(result)));
-        let lost = |what: String| device.error(format!("the device does not answer ({what})"));
+        let (sender, receiver) = oneshot::channel();
+        staging.map_async(wgpu::MapMode::Read, ..total, move |result| drop(sender.send(result)));
+        let lost = |what: String| device.fault(FaultKind::Lost, format!("it does not answer ({what})"));
         device.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| lost(error.to_string()))?;
-        match receiver.try_recv() {
+        let mapped = receiver.await;
+        device.faultless()?;
+        match mapped {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Err(lost(error.to_string())),
             Err(error) => return Err(lost(error.to_string())),
         }
-        device.faultless()?;
-        let mapped = staging.get_mapped_range(..).map_err(|error| lost(error.to_string()))?;
         let mut parts = Vec::with_capacity(wanted.len());
-        let mut at = 0;
-        for (_, bytes) in wanted {
-            parts.push(mapped[at..at + bytes.len()].to_vec());
-            at += bytes.len();
+        {
+            let mapped = staging.get_mapped_range(..total).map_err(|error| lost(error.to_string()))?;
+            let mut at = 0;
+            for (_, bytes) in wanted {
+                parts.push(mapped[at..at + bytes.len()].to_vec());
+                at += bytes.len();
+            }
         }
+        staging.unmap();
         Ok(parts)
+    }
+
+    /// The staging buffer, with room for `bytes`.
+    fn staging(&mut self, device: &Device, bytes: u64) -> &wgpu::Buffer {
+        if self.staging.as_ref().is_some_and(|staging| staging.size() < bytes) {
+            self.staging.take().iter().for_each(wgpu::Buffer::destroy);
+        }
+        self.staging.get_or_insert_with(|| {
+            device.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("read back"),
+                size: bytes.next_multiple_of(4),
+                usage: Usage::MAP_READ | Usage::COPY_DST,
+                mapped_at_creation: false,
+            })
+        })
     }
 }

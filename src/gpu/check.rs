@@ -1,11 +1,10 @@
 //! What a device is asked before it is trusted: one iteration of a small wire, compared with the processor's.
 
-use super::device::REMEDY;
+use super::Absence;
 use crate::objective::Pyramid;
-use crate::optimize::{AdamOptions, CpuEngine, Engine, RasterKind, Scene, SceneView, Step};
+use crate::optimize::{AdamOptions, CpuEngine, Engine, RasterKind, Scene, SceneView, Step, term_count};
 use crate::view::{Image, View};
 use crate::wire::{Jerk, Wire};
-use crate::{Error, Result};
 
 /// Largest difference of loss and gradient, relative, that passes.
 pub const SELF_CHECK_TOLERANCE: f32 = 1e-2;
@@ -14,8 +13,36 @@ pub const SELF_CHECK_TOLERANCE: f32 = 1e-2;
 /// added up.
 ///
 /// # Errors
-/// [`Error::Device`] if it is above [`SELF_CHECK_TOLERANCE`], or if the device fails.
-pub fn self_check(engine: &mut dyn Engine) -> Result<f32> {
+/// [`Absence::Unfit`] if it is above [`SELF_CHECK_TOLERANCE`], or if the device fails.
+pub async fn self_check(engine: &mut dyn Engine) -> Result<f32, Absence> {
+    let (scene, points, step) = example();
+    let mut results = Vec::new();
+    let mut cpu = CpuEngine::new();
+    for engine in [&mut cpu as &mut dyn Engine, &mut *engine] {
+        let (mut terms, mut d_points) = (vec![0.0; term_count(scene.views.len())], Vec::new());
+        engine.load(scene.clone()).done().await;
+        engine.evaluate(&points, &step, &mut terms, &mut d_points).done().await;
+        results.push((terms, d_points));
+    }
+    let unfit = |problem: String| Absence::Unfit { name: engine.place().device, problem };
+    if let Some(error) = engine.trouble() {
+        return Err(unfit(error.to_string()));
+    }
+    let apart = |a: &[f32], b: &[f32]| {
+        let squares = |values: &mut dyn Iterator<Item = f32>| values.map(|v| v * v).sum::<f32>();
+        (squares(&mut a.iter().zip(b).map(|(a, b)| a - b)) / squares(&mut b.iter().copied())).sqrt()
+    };
+    let [(terms, d_points), (device_terms, device_d_points)] = [&results[0], &results[1]];
+    let difference = apart(device_terms, terms) + apart(device_d_points.as_flattened(), d_points.as_flattened());
+    if difference.is_nan() || difference > SELF_CHECK_TOLERANCE {
+        let problem = format!("it computes something else than the processor (by {difference:.1e} of a small example)");
+        return Err(unfit(problem));
+    }
+    Ok(difference)
+}
+
+/// A tapered spiral in three small views.
+fn example() -> (Scene, Vec<[f32; 4]>, Step) {
     let points: Vec<[f64; 4]> = (0..12)
         .map(|i| {
             let t = f64::from(i) / 11.0;
@@ -23,7 +50,7 @@ pub fn self_check(engine: &mut dyn Engine) -> Result<f32> {
             [(0.2 + 0.5 * t) * cos, (0.7 - 0.3 * t) * sin, t - 0.5, 0.05 + 0.1 * t]
         })
         .collect();
-    let wire = Wire::open_uniform(points.clone())?;
+    let wire = Wire::open_uniform(points.clone()).expect("a spiral is a wire");
     let (sampling, strokes) = wire.sampling_map(3, true);
     let view = |view: View| {
         let ink = (0..view.width_px * view.height_px).map(|i| (i % 7) as f32 / 7.0).collect();
@@ -41,28 +68,9 @@ pub fn self_check(engine: &mut dyn Engine) -> Result<f32> {
         jerk_width: 1e-4,
         length: 1e-3,
         width_bounds: [0.0, 1.0],
+        loss_scale: 1.0,
+        gradient_share: 0.0,
     };
     let points: Vec<[f32; 4]> = points.iter().map(|point| point.map(|c| c as f32)).collect();
-    let mut results = Vec::new();
-    let mut cpu = CpuEngine::new();
-    for engine in [&mut cpu as &mut dyn Engine, &mut *engine] {
-        let (mut terms, mut d_points) = (vec![0.0; 6], Vec::new());
-        engine.load(scene.clone());
-        engine.evaluate(&points, &step, &mut terms, &mut d_points);
-        results.push((terms, d_points));
-    }
-    if let Some(error) = engine.trouble() {
-        return Err(error.clone());
-    }
-    let apart = |a: &[f32], b: &[f32]| {
-        let squares = |values: &mut dyn Iterator<Item = f32>| values.map(|v| v * v).sum::<f32>();
-        (squares(&mut a.iter().zip(b).map(|(a, b)| a - b)) / squares(&mut b.iter().copied())).sqrt()
-    };
-    let [(terms, d_points), (device_terms, device_d_points)] = [&results[0], &results[1]];
-    let difference = apart(device_terms, terms) + apart(device_d_points.as_flattened(), d_points.as_flattened());
-    if difference.is_nan() || difference > SELF_CHECK_TOLERANCE {
-        let problem = format!("it computes something else than the processor (by {difference:.1e} of a small example)");
-        return Err(Error::device(engine.place().device, problem, REMEDY));
-    }
-    Ok(difference)
+    (scene, points, step)
 }

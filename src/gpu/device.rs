@@ -1,22 +1,29 @@
-//! The device: which adapter, what it is called, what it can do.
+//! The device: which adapter, what it is called, what it can do, and what it objects to.
 
-use crate::{Error, Result};
+use super::absence::Absence;
+use super::compile::compile;
+use super::fault::{Answer, Fault, FaultKind};
+use super::stage::STAGES;
+use crate::optimize::wait;
+use std::result::Result;
 use std::sync::{Arc, Mutex};
+
+/// What a device is called as long as its own name is not known.
+pub(super) const NAME: &str = "graphics card";
+/// What helps where there is no device.
+pub(super) const REMEDY: &str = if cfg!(target_arch = "wasm32") {
+    "choose the processor in the settings"
+} else {
+    "fit on the processor instead (--backend cpu)"
+};
 
 /// Which devices will do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A graphics card, in the machine or virtual.
     Card,
-    /// Any, also one that is a program on the processor: right, but slow. For tests.
+    /// Any, also one that is a program on the processor: right, but slow.
     Any,
-}
-
-impl Kind {
-    /// Cards, and with the variable `WIRE4D_SOFTWARE_GPU` set any: who has no card is better off with the processor.
-    pub fn wanted() -> Kind {
-        if std::env::var_os("WIRE4D_SOFTWARE_GPU").is_some() { Kind::Any } else { Kind::Card }
-    }
 }
 
 /// What a device is called and how it is reached.
@@ -24,10 +31,17 @@ impl Kind {
 pub struct DeviceInfo {
     /// As its driver calls it.
     pub name: String,
-    /// `discrete card`, `integrated card`, `virtual card`, `software` or `unknown`.
+    /// `discrete card`, `integrated card`, `virtual card`, `card` or `software`.
     pub kind: &'static str,
-    /// The interface it is reached by, such as `vulkan`.
-    pub interface: String,
+    /// The interface it is reached by: `vulkan` or `webgpu`.
+    pub interface: &'static str,
+}
+
+impl DeviceInfo {
+    /// Whether it is a program on the processor.
+    pub fn is_software(&self) -> bool {
+        self.kind == "software"
+    }
 }
 
 impl std::fmt::Display for DeviceInfo {
@@ -36,62 +50,73 @@ impl std::fmt::Display for DeviceInfo {
     }
 }
 
-/// A device that is ready, with WebGPU's default limits and no features: what works here works in a browser.
+/// A device that is ready, every stage compiled, with no features: what works here works in a browser. Clones are the
+/// same device.
 #[derive(Debug, Clone)]
 pub struct Device {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
+    /// The compiled [`STAGES`].
+    pub(super) stages: Arc<[wgpu::ComputePipeline]>,
     info: DeviceInfo,
-    /// The first thing the device objected to outside [`Device::watched`]; without a place for it the program would end.
-    fault: Arc<Mutex<Option<String>>>,
+    kind: Kind,
+    /// The first thing the device objected to outside [`Device::watched`], or why it was lost; without a place for it the
+    /// program would end.
+    fault: Arc<Mutex<Option<(FaultKind, String)>>>,
 }
 
 impl Device {
+    /// [`Device::acquire_async`], waiting for it.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn acquire(kind: Kind) -> Result<Device, Absence> {
+        wait(Device::acquire_async(kind))
+    }
+
     /// The best device of a kind: discrete before integrated before virtual before software.
     ///
     /// # Errors
-    /// [`Error::Device`] where there is none, or where it refuses.
-    pub fn acquire(kind: Kind) -> Result<Device> {
-        pollster::block_on(Device::acquire_async(kind))
-    }
-
-    async fn acquire_async(kind: Kind) -> Result<Device> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
-            backends: wgpu::Backends::VULKAN,
-            ..wgpu::InstanceDescriptor::new_without_display_handle()
-        });
-        let mut adapters = instance.enumerate_adapters(wgpu::Backends::VULKAN).await;
-        adapters.retain(|adapter| kind == Kind::Any || rank(adapter.get_info().device_type) < SOFTWARE);
-        adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
-        let Some(adapter) = adapters.into_iter().next() else {
-            return Err(Error::device("no device", "there is no graphics card with a Vulkan driver", REMEDY));
-        };
-        let found = adapter.get_info();
-        let info = DeviceInfo {
-            name: found.name,
-            kind: kind_name(found.device_type),
-            interface: format!("{:?}", found.backend).to_lowercase(),
+    /// [`Absence`] where there is none, or where it refuses.
+    pub async fn acquire_async(kind: Kind) -> Result<Device, Absence> {
+        let (adapter, info) = adapter(kind).await?;
+        // As plain WebGPU has them, but buffers as large as there may be.
+        let offered = adapter.limits();
+        let limits = wgpu::Limits {
+            max_storage_buffer_binding_size: offered.max_storage_buffer_binding_size,
+            max_buffer_size: offered.max_buffer_size,
+            ..wgpu::Limits::default()
         };
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("wire4d"),
             required_features: wgpu::Features::empty(),
-            required_limits: wgpu::Limits::default(),
+            required_limits: limits,
             ..Default::default()
         };
-        match adapter.request_device(&descriptor).await {
-            Ok((device, queue)) => {
-                let fault = Arc::new(Mutex::new(None));
-                let noted = Arc::clone(&fault);
-                device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&noted, &error)));
-                Ok(Device { device, queue, info, fault })
-            }
-            Err(error) => Err(Error::device(info.name, one_line(&error.to_string()), REMEDY)),
-        }
+        let requested = adapter.request_device(&descriptor).await;
+        let (device, queue) = requested.map_err(|error| Absence::Blocked(one_line(&error.to_string())))?;
+        let fault = Arc::new(Mutex::new(None));
+        let noted = Arc::clone(&fault);
+        device
+            .on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&noted, kind_of(&error), &error.to_string())));
+        let noted = Arc::clone(&fault);
+        device.set_device_lost_callback(move |_, message| {
+            note(&noted, FaultKind::Lost, &format!("it was lost: {message}"))
+        });
+        let unready = Device { device, queue, stages: Arc::new([]), info, kind, fault };
+        let compiled = unready.watched(|| STAGES.iter().map(|stage| compile(&unready.device, stage)).collect()).await;
+        let stages = compiled.map_err(|fault| Absence::Unfit { name: fault.device, problem: fault.problem })?;
+        Ok(Device { stages, ..unready })
     }
 
     /// What it is.
     pub fn info(&self) -> &DeviceInfo {
         &self.info
+    }
+
+    /// The kind that was asked for.
+    pub(super) fn kind(&self) -> Kind {
+        self.kind
     }
 
     /// Its limits as names and values, those that bound what can be fitted.
@@ -105,44 +130,95 @@ impl Device {
         ]
     }
 
-    /// An error of this device with its name.
-    pub(super) fn error(&self, problem: impl Into<String>) -> Error {
-        Error::device(&self.info.name, problem, REMEDY)
+    /// Gives the device back at once. Whatever computes on it finds it lost.
+    pub fn destroy(&self) {
+        note(&self.fault, FaultKind::Lost, "it was given back");
+        self.device.destroy();
     }
 
-    /// What the device has objected to so far, as an error.
-    pub(super) fn faultless(&self) -> Result<()> {
+    /// A fault of this device.
+    pub(super) fn fault(&self, kind: FaultKind, problem: impl Into<String>) -> Fault {
+        Fault { device: self.info.name.clone(), kind, problem: problem.into() }
+    }
+
+    /// Whether the device has objected to nothing so far.
+    pub(crate) fn faultless(&self) -> Answer<()> {
         match self.fault.lock().map(|fault| fault.clone()) {
             Ok(None) => Ok(()),
-            Ok(Some(fault)) => Err(self.error(fault)),
-            Err(_) => Err(self.error("it failed while it reported a failure")),
+            Ok(Some((kind, problem))) => Err(self.fault(kind, problem)),
+            Err(_) => Err(self.fault(FaultKind::Lost, "it failed while it reported a failure")),
         }
     }
 
-    /// Runs `work` and turns what the device objects to into an error.
-    pub(super) fn watched<T>(&self, work: impl FnOnce() -> T) -> Result<T> {
+    /// Runs `work` and turns what the device objects to into a fault.
+    pub(super) async fn watched<T>(&self, work: impl FnOnce() -> T) -> Answer<T> {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let done = work();
-        let validation = pollster::block_on(validation.pop());
-        let memory = pollster::block_on(memory.pop());
-        match validation.or(memory) {
-            None => Ok(done),
-            Some(error) => Err(self.error(one_line(&error.to_string()))),
+        let (validation, memory) = (validation.pop(), memory.pop());
+        match validation.await.or(memory.await) {
+            None => self.faultless().map(|()| done),
+            Some(error) => Err(self.fault(kind_of(&error), one_line(&error.to_string()))),
         }
     }
 }
 
-pub(super) const REMEDY: &str = "fit on the processor instead (--backend cpu)";
-const SOFTWARE: u32 = 3;
+/// The best adapter of a kind and what it is called.
+#[cfg(not(target_arch = "wasm32"))]
+async fn adapter(kind: Kind) -> Result<(wgpu::Adapter, DeviceInfo), Absence> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::VULKAN,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let mut adapters = instance.enumerate_adapters(wgpu::Backends::VULKAN).await;
+    adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
+    let best = adapters.into_iter().next().ok_or(Absence::NoAdapter)?;
+    let found = best.get_info();
+    let info = info(found.name, found.device_type, "vulkan");
+    allowed(kind, info).map(|info| (best, info))
+}
 
+/// The adapter that the browser offers and what it is called.
+#[cfg(target_arch = "wasm32")]
+async fn adapter(kind: Kind) -> Result<(wgpu::Adapter, DeviceInfo), Absence> {
+    let found = super::browser::browser_adapter().await?;
+    let device_type = if found.is_fallback { wgpu::DeviceType::Cpu } else { wgpu::DeviceType::Other };
+    let info = allowed(kind, info(found.name, device_type, "webgpu"))?;
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::BROWSER_WEBGPU,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        ..wgpu::RequestAdapterOptions::default()
+    };
+    let adapter = instance.request_adapter(&options).await.map_err(|_| Absence::NoAdapter)?;
+    Ok((adapter, info))
+}
+
+/// The device if it is of the kind.
+fn allowed(kind: Kind, info: DeviceInfo) -> Result<DeviceInfo, Absence> {
+    if kind == Kind::Card && info.is_software() { Err(Absence::Software(info.name)) } else { Ok(info) }
+}
+
+/// Drivers that compute on the processor; not all of them say so.
+const SOFTWARE: [&str; 4] = ["swiftshader", "llvmpipe", "lavapipe", "basic render"];
+
+fn info(name: String, device_type: wgpu::DeviceType, interface: &'static str) -> DeviceInfo {
+    let name = if name.trim().is_empty() { NAME.into() } else { name };
+    let lower = name.to_lowercase();
+    let software = SOFTWARE.iter().any(|software| lower.contains(software));
+    DeviceInfo { name, kind: if software { "software" } else { kind_name(device_type) }, interface }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
 fn rank(kind: wgpu::DeviceType) -> u32 {
     match kind {
         wgpu::DeviceType::DiscreteGpu => 0,
         wgpu::DeviceType::IntegratedGpu => 1,
         wgpu::DeviceType::VirtualGpu => 2,
-        wgpu::DeviceType::Cpu => SOFTWARE,
-        wgpu::DeviceType::Other => SOFTWARE + 1,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
     }
 }
 
@@ -152,14 +228,22 @@ fn kind_name(kind: wgpu::DeviceType) -> &'static str {
         wgpu::DeviceType::IntegratedGpu => "integrated card",
         wgpu::DeviceType::VirtualGpu => "virtual card",
         wgpu::DeviceType::Cpu => "software",
-        wgpu::DeviceType::Other => "unknown",
+        // Browsers do not say which.
+        wgpu::DeviceType::Other => "card",
+    }
+}
+
+fn kind_of(error: &wgpu::Error) -> FaultKind {
+    match error {
+        wgpu::Error::OutOfMemory { .. } => FaultKind::Memory,
+        wgpu::Error::Validation { .. } | wgpu::Error::Internal { .. } => FaultKind::Lost,
     }
 }
 
 /// Keeps the first of several faults: later ones follow from it.
-fn note(fault: &Mutex<Option<String>>, error: &wgpu::Error) {
+fn note(fault: &Mutex<Option<(FaultKind, String)>>, kind: FaultKind, problem: &str) {
     if let Ok(mut fault) = fault.lock() {
-        fault.get_or_insert_with(|| one_line(&error.to_string()));
+        fault.get_or_insert_with(|| (kind, one_line(problem)));
     }
 }
 

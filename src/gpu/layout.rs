@@ -27,7 +27,9 @@ pub struct Step {
     pub epsilon: f32,
     pub per_point: u32,
     pub row: u32,
-    pub padding: [u32; 3],
+    pub loss_scale: f32,
+    pub gradient_share: f32,
+    pub padding: u32,
 }
 
 /// A view's camera, and where its share of each buffer begins.
@@ -124,7 +126,7 @@ macro_rules! layouts {
 layouts! {
     Step {
         rates, width_bounds, level_ratio, jerk_position, jerk_width, length, beta1, beta2, correction1, correction2,
-        epsilon, per_point, row,
+        epsilon, per_point, row, loss_scale, gradient_share,
     }
     View {
         right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,

@@ -3,18 +3,25 @@
 //! Plain WebGPU: at most 8 storage buffers a stage, 256 invocations and 16 KiB a workgroup, integer atomics only.
 //! Forward sums are integers and backward sums are gathered in fixed order, so a device gives the same bits each time.
 
+mod absence;
+#[cfg(target_arch = "wasm32")]
+mod browser;
 mod buffers;
 mod check;
+mod compile;
 mod device;
 mod engine;
+mod fault;
 mod layout;
 mod pipeline;
 mod stage;
 mod upload;
 
+pub use absence::Absence;
 pub use check::{SELF_CHECK_TOLERANCE, self_check};
 pub use device::{Device, DeviceInfo, Kind};
-pub use engine::GpuEngine;
+pub use engine::{Another, GpuEngine};
+pub use fault::{Fault, FaultKind};
 pub use layout::SHADER_LAYOUTS;
 pub use pipeline::Pipeline;
 pub use stage::{STAGES, Slot, Stage};

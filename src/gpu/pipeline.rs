@@ -2,10 +2,10 @@
 
 use super::buffers::{Buffers, UNIFORM_STRIDE};
 use super::device::Device;
+use super::fault::{Answer, FaultKind};
 use super::stage::{Access, Over, STAGES, Slot, Stage};
 use super::upload::{LOSS_GROUP, Upload, pack};
-use crate::Result;
-use crate::optimize::{Scene, Step};
+use crate::optimize::{Scene, Step, wait};
 use bytemuck::Pod;
 use std::ops::Range;
 
@@ -15,9 +15,9 @@ const GROUP: usize = 64;
 /// All stages, ready to run on a device, and the scene they run on.
 pub struct Pipeline {
     device: Device,
-    stages: Vec<wgpu::ComputePipeline>,
     loaded: Option<Loaded>,
     batch: usize,
+    pace: Pace,
 }
 
 struct Loaded {
@@ -26,17 +26,26 @@ struct Loaded {
     bind_groups: Vec<wgpu::BindGroup>,
 }
 
+/// How much goes into a submission: a device that draws the screen too must not be kept for long.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pace {
+    /// So many iterations.
+    Iterations(usize),
+    /// One stage: where an iteration takes too long.
+    Stage,
+}
+
+/// The longest a submission should take.
+const SUBMISSION_MS: f64 = 50.0;
+
 impl Pipeline {
-    /// Compiles every stage, for up to `batch` iterations a submission.
-    ///
-    /// # Errors
-    /// [`crate::Error::Device`] if the device takes a shader badly.
-    pub fn new(device: &Device, batch: usize) -> Result<Pipeline> {
-        let stages = device.watched(|| STAGES.iter().map(|stage| compile(&device.device, stage)).collect())?;
-        Ok(Pipeline { device: device.clone(), stages, loaded: None, batch: batch.max(1) })
+    /// For up to `batch` iterations a call of [`Pipeline::run`].
+    pub fn new(device: &Device, batch: usize) -> Pipeline {
+        // Nothing is known of the device's speed yet.
+        Pipeline { device: device.clone(), loaded: None, batch: batch.max(1), pace: Pace::Stage }
     }
 
-    /// Iterations of one submission, at most.
+    /// Iterations of one call of [`Pipeline::run`], at most.
     pub fn batch(&self) -> usize {
         self.batch
     }
@@ -46,14 +55,27 @@ impl Pipeline {
         &self.device
     }
 
+    /// [`Pipeline::load_async`], waiting for it.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn load(&mut self, scene: &Scene) -> Answer<()> {
+        wait(self.load_async(scene))
+    }
+
     /// Makes the buffers of a scene.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] if the scene is too large for the device.
-    pub fn load(&mut self, scene: &Scene) -> Result<()> {
+    /// A fault of limits or memory if the scene is too large for the device.
+    pub async fn load_async(&mut self, scene: &Scene) -> Answer<()> {
         self.loaded = None;
         let upload = Upload::new(scene, &self.device)?;
-        self.fill(upload)
+        self.fill(upload).await
+    }
+
+    /// Bytes of all buffers of a scene.
+    pub fn bytes(&self) -> u64 {
+        self.loaded.as_ref().map_or(0, |loaded| loaded.buffers.bytes())
     }
 
     /// How many cell entries there is room for.
@@ -64,17 +86,17 @@ impl Pipeline {
     /// Makes new buffers for the scene, with room for `entries` cell entries. What was computed is lost.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] without a scene, or if the device has not the room.
-    pub fn make_room(&mut self, entries: usize) -> Result<()> {
+    /// A fault without a scene, or if the device has not the room.
+    pub async fn make_room(&mut self, entries: usize) -> Answer<()> {
         let Some(Loaded { mut upload, .. }) = self.loaded.take() else {
-            return Err(self.device.error("no scene was loaded"));
+            return Err(self.no_scene());
         };
         upload.scene.entries = entries as u32;
-        self.fill(upload)
+        self.fill(upload).await
     }
 
-    fn fill(&mut self, upload: Upload) -> Result<()> {
-        let buffers = Buffers::new(&self.device, &upload, self.batch)?;
+    async fn fill(&mut self, upload: Upload) -> Answer<()> {
+        let buffers = Buffers::new(&self.device, &upload, self.batch).await?;
         let bind = |(stage, pipeline): (&Stage, &wgpu::ComputePipeline)| {
             let entry = |&slot: &Slot| {
                 let buffer = buffers.get(slot);
@@ -89,52 +111,69 @@ impl Pipeline {
                 entries: &stage.slots.iter().map(entry).collect::<Vec<_>>(),
             })
         };
-        let bind_groups = self.device.watched(|| STAGES.iter().zip(&self.stages).map(bind).collect())?;
+        let bind_all = || STAGES.iter().zip(&*self.device.stages).map(bind).collect();
+        let bind_groups = self.device.watched(bind_all).await?;
         self.loaded = Some(Loaded { upload, buffers, bind_groups });
         Ok(())
     }
 
-    fn loaded(&self) -> Result<&Loaded> {
-        self.loaded.as_ref().ok_or_else(|| self.device.error("no scene was loaded"))
+    fn loaded(&self) -> Answer<&Loaded> {
+        self.loaded.as_ref().ok_or_else(|| self.no_scene())
+    }
+
+    fn no_scene(&self) -> super::Fault {
+        self.device.fault(FaultKind::Lost, "no scene was loaded")
     }
 
     /// Overwrites a buffer from its start.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] without a scene.
-    pub fn write<T: Pod>(&self, slot: Slot, values: &[T]) -> Result<()> {
+    /// A fault without a scene.
+    pub fn write<T: Pod>(&self, slot: Slot, values: &[T]) -> Answer<()> {
         self.write_at(slot, 0, values)
     }
 
     /// Overwrites a buffer from its value `first` on.
-    pub(super) fn write_at<T: Pod>(&self, slot: Slot, first: usize, values: &[T]) -> Result<()> {
+    pub(super) fn write_at<T: Pod>(&self, slot: Slot, first: usize, values: &[T]) -> Answer<()> {
         self.loaded()?.buffers.write(&self.device, slot, first * size_of::<T>(), values);
         Ok(())
     }
 
-    /// The first `count` values of a buffer.
+    /// The first `count` values of a buffer, waiting for them.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] without a scene, or if the device is lost.
-    pub fn read<T: Pod>(&self, slot: Slot, count: usize) -> Result<Vec<T>> {
-        let bytes = self.read_bytes(&[(slot, 0..count * size_of::<T>())])?;
+    /// A fault without a scene, or if the device is lost.
+    pub fn read<T: Pod>(&mut self, slot: Slot, count: usize) -> Answer<Vec<T>> {
+        let bytes = wait(self.read_bytes(&[(slot, 0..count * size_of::<T>())]))?;
         Ok(bytemuck::pod_collect_to_vec(&bytes[0]))
     }
 
     /// Byte ranges of several buffers, in one go.
-    pub(super) fn read_bytes(&self, wanted: &[(Slot, Range<usize>)]) -> Result<Vec<Vec<u8>>> {
-        self.loaded()?.buffers.read(&self.device, wanted)
+    pub(super) async fn read_bytes(&mut self, wanted: &[(Slot, Range<usize>)]) -> Answer<Vec<Vec<u8>>> {
+        match &mut self.loaded {
+            Some(loaded) => loaded.buffers.read(&self.device, wanted).await,
+            None => Err(self.no_scene()),
+        }
+    }
+
+    /// Fits submissions to a device that takes so long for an iteration.
+    pub(super) fn keep_pace(&mut self, iteration_ms: f64) {
+        self.pace = if iteration_ms > SUBMISSION_MS {
+            Pace::Stage
+        } else {
+            Pace::Iterations((SUBMISSION_MS / iteration_ms.max(1e-3)) as usize)
+        };
     }
 
     /// Submits the stages from `first` to `last` once for each of `steps` (at most [`Pipeline::batch`]); `count` is how
     /// many steps Adam's moments have seen before. Iteration i writes row i of the terms.
     ///
     /// # Errors
-    /// [`crate::Error::Device`] without a scene.
+    /// A fault without a scene.
     ///
     /// # Panics
     /// If a stage's name is unknown.
-    pub fn run(&self, first: &str, last: &str, steps: &[Step], count: u32) -> Result<()> {
+    pub fn run(&self, first: &str, last: &str, steps: &[Step], count: u32) -> Answer<()> {
         let loaded = self.loaded()?;
         let steps = &steps[..steps.len().min(self.batch)];
         let mut packed = vec![0u8; steps.len() * UNIFORM_STRIDE];
@@ -143,20 +182,36 @@ impl Pipeline {
             bytes[..size_of_val(&step)].copy_from_slice(bytemuck::bytes_of(&step));
         }
         loaded.buffers.write(&self.device, Slot::Step, 0, &packed);
-        let (first, last) = (Stage::index(first), Stage::index(last));
+        let stages = Stage::index(first)..Stage::index(last) + 1;
+        let iterations = 0..steps.len();
+        match self.pace {
+            Pace::Stage => {
+                for i in iterations {
+                    stages.clone().for_each(|stage| self.submit(loaded, stage..stage + 1, i..i + 1));
+                }
+            }
+            Pace::Iterations(most) => {
+                for from in iterations.clone().step_by(most) {
+                    self.submit(loaded, stages.clone(), from..iterations.end.min(from + most));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn submit(&self, loaded: &Loaded, stages: Range<usize>, iterations: Range<usize>) {
         let mut encoder = self.device.device.create_command_encoder(&Default::default());
-        for i in 0..steps.len() {
-            if (first..=last).contains(&Stage::index("fill_cells")) {
+        for i in iterations {
+            if stages.contains(&Stage::index("fill_cells")) {
                 let heads = 4 * loaded.upload.scene.cells_head() as u64;
                 encoder.clear_buffer(loaded.buffers.get(Slot::Cells), 0, Some(heads));
             }
             let mut pass = encoder.begin_compute_pass(&Default::default());
-            for index in first..=last {
-                loaded.dispatch(&mut pass, index, &self.stages[index], i);
+            for index in stages.clone() {
+                loaded.dispatch(&mut pass, index, &self.device.stages[index], i);
             }
         }
         self.device.queue.submit([encoder.finish()]);
-        Ok(())
     }
 }
 
@@ -209,46 +264,4 @@ impl Loaded {
         let views = self.upload.levels.chunks_exact(super::layout::MOST_LEVELS);
         views.map(|levels| (levels[level].width * levels[level].height) as usize).max().unwrap_or(0)
     }
-}
-
-fn compile(device: &wgpu::Device, stage: &Stage) -> wgpu::ComputePipeline {
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(stage.name),
-        source: wgpu::ShaderSource::Wgsl(stage.source().into()),
-    });
-    let entry = |&slot: &Slot| {
-        let access = slot.access();
-        let ty = match access {
-            Access::UniformOfMany | Access::Uniform => wgpu::BufferBindingType::Uniform,
-            Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
-            Access::ReadWrite => wgpu::BufferBindingType::Storage { read_only: false },
-        };
-        wgpu::BindGroupLayoutEntry {
-            binding: slot as u32,
-            visibility: wgpu::ShaderStages::COMPUTE,
-            ty: wgpu::BindingType::Buffer {
-                ty,
-                has_dynamic_offset: access == Access::UniformOfMany,
-                min_binding_size: None,
-            },
-            count: None,
-        }
-    };
-    let bind_group = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some(stage.name),
-        entries: &stage.slots.iter().map(entry).collect::<Vec<_>>(),
-    });
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some(stage.name),
-        bind_group_layouts: &[Some(&bind_group)],
-        immediate_size: 0,
-    });
-    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some(stage.name),
-        layout: Some(&layout),
-        module: &module,
-        entry_point: Some(stage.name),
-        compilation_options: Default::default(),
-        cache: None,
-    })
 }

@@ -29,6 +29,8 @@ slots! {
     Circles,
     TargetInk,
     State,
+    Best,
+    GradientNorms,
     Samples,
     Vertices,
     Joints,
@@ -275,6 +277,7 @@ pub const STAGES: &[Stage] = &[
             Slot::Links,
             Slot::JerkRows,
             Slot::State,
+            Slot::Best,
             Slot::Samples,
             Slot::Cells,
             Slot::Partials,
@@ -285,7 +288,15 @@ pub const STAGES: &[Stage] = &[
     Stage {
         name: "adam",
         texts: &[LAYOUT, text!("adam")],
-        slots: &[Slot::Step, Slot::Scene, Slot::State, Slot::DPoints],
+        slots: &[
+            Slot::Step,
+            Slot::Scene,
+            Slot::State,
+            Slot::Best,
+            Slot::GradientNorms,
+            Slot::DPointsImage,
+            Slot::DPoints,
+        ],
         over: Over::Points,
     },
 ];

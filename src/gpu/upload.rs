@@ -1,12 +1,12 @@
 //! From a scene to the bytes of the buffers that stay the same until the next one.
 
 use super::device::Device;
+use super::fault::{Answer, Fault, FaultKind};
 use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
 use crate::objective::{Pyramid, level_sizes};
 use crate::optimize::{Scene, Step};
 use crate::raster::{CELL_PX, rings};
 use crate::wire::{LinearMap, Stroke};
-use crate::{Error, Result};
 
 /// No such sample.
 const NONE: u32 = u32::MAX;
@@ -78,10 +78,10 @@ fn links(strokes: &[Stroke], count: usize) -> Vec<[u32; 2]> {
 
 impl Upload {
     /// # Errors
-    /// [`Error::Device`] if the scene has more views, pixels or samples than shaders take.
-    pub fn new(from: &Scene, device: &Device) -> Result<Upload> {
-        let refuse = |what: &str, wanted: usize, most: usize| -> Error {
-            device.error(format!("the fit takes {wanted} {what} and this device {most}"))
+    /// A fault of limits if the scene has more views, pixels or samples than shaders take.
+    pub fn new(from: &Scene, device: &Device) -> Answer<Upload> {
+        let refuse = |what: &str, wanted: usize, most: usize| -> Fault {
+            device.fault(FaultKind::Limits, format!("the fit takes {wanted} {what} and this device {most}"))
         };
         let count = from.views.len();
         if count > MOST_VIEWS {
@@ -192,6 +192,8 @@ pub(super) fn pack(step: &Step, count: u32, row: usize) -> layout::Step {
         epsilon: step.adam.epsilon as f32,
         per_point: u32::from(step.adam.second_moment == crate::optimize::SecondMoment::PerPoint),
         row: row as u32,
+        loss_scale: step.loss_scale,
+        gradient_share: step.gradient_share,
         ..Default::default()
     }
 }

@@ -1,9 +1,9 @@
 //! Everything a session needs to go on later exactly as if it had never stopped.
 
 use super::bending::Field;
-use super::engine::State;
+use super::engine::{State, Tally};
 use super::history::{Event, History};
-use super::session::{Best, Session};
+use super::session::Session;
 use super::{Adam, CpuEngine, Engine, Problem};
 use crate::rng::Rng;
 use crate::wire::Wire;
@@ -117,11 +117,11 @@ impl Session {
             wire: self.wire.clone(),
             state: SavedState::new(&self.state),
             good: SavedState::new(&self.good),
-            best_wire: self.best.wire.clone(),
-            best_points: self.best.points.clone(),
-            best_loss: self.best.loss.is_finite().then_some(self.best.loss),
+            best_wire: self.best_wire.clone(),
+            best_points: self.tally.best_points.clone(),
+            best_loss: self.tally.best_loss.is_finite().then_some(self.tally.best_loss),
             fields,
-            gradient_norms: self.gradient_norms.clone(),
+            gradient_norms: self.tally.gradient_norms.clone(),
             gradient_count: self.gradient_count,
             rng: self.rng.clone(),
             history: self.history.clone(),
@@ -182,14 +182,17 @@ impl Session {
         let fields: Option<Vec<Field>> = saved.fields.into_iter().map(|field| field.restore(grid * grid)).collect();
         let fields = fields.filter(|fields| fields.len() == session.fields.len());
         session.fields = fields.ok_or_else(|| refuse("its bent targets are of another problem"))?;
-        session.best =
-            Best { wire: saved.best_wire, points: saved.best_points, loss: saved.best_loss.unwrap_or(f32::INFINITY) };
+        session.best_wire = saved.best_wire;
+        session.tally = Tally {
+            best_points: saved.best_points,
+            best_loss: saved.best_loss.unwrap_or(f32::INFINITY),
+            gradient_norms: saved.gradient_norms,
+        };
         session.iteration = saved.iteration;
         session.halvings = saved.halvings;
         session.wire = saved.wire;
         session.state = state;
         session.good = good;
-        session.gradient_norms = saved.gradient_norms;
         session.gradient_count = saved.gradient_count;
         session.rng = saved.rng;
         session.history = saved.history;

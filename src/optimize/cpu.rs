@@ -2,7 +2,8 @@
 //! view order, so that the number of threads changes no bit.
 
 use super::RasterKind;
-use super::engine::{Engine, Scene, SceneView, Step};
+use super::Work;
+use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
 use crate::objective::{MultiscaleMse, Pyramid, length_and_gradient};
 use crate::raster::{BandRaster, ExactRaster, Raster};
 use crate::view::{Camera, Image};
@@ -72,6 +73,8 @@ pub struct CpuEngine {
     samples: Vec<[f32; 4]>,
     d_samples: Vec<[f32; 4]>,
     d_points_image: Vec<[f32; 4]>,
+    d_points: Vec<[f32; 4]>,
+    why: Option<String>,
 }
 
 /// The part of a scene that is about the curve.
@@ -86,20 +89,14 @@ impl CpuEngine {
     pub fn new() -> Self {
         Self::default()
     }
-}
 
-impl Engine for CpuEngine {
-    fn load(&mut self, scene: Scene) {
-        let Scene { sampling, strokes, jerk, views, raster, pyramid } = scene;
-        self.views = views.into_iter().map(|view| ViewEngine::new(view, raster, pyramid)).collect();
-        self.scene = Some(Curve { sampling, strokes, jerk });
+    /// One that was chosen for a reason: a sentence for people.
+    pub fn because(why: impl Into<String>) -> Self {
+        CpuEngine { why: Some(why.into()), ..Self::default() }
     }
 
-    fn set_target(&mut self, view: usize, ink: &[f32]) {
-        self.views[view].target.data.copy_from_slice(ink);
-    }
-
-    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
+    /// [`Engine::evaluate`], done when it returns.
+    pub fn evaluate_now(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
         let Some(Curve { sampling, strokes, jerk }) = &self.scene else { return };
         sampling.apply(points, &mut self.samples);
         let samples = &self.samples;
@@ -136,16 +133,71 @@ impl Engine for CpuEngine {
         terms[0] = terms[1..count + 3].iter().sum();
     }
 
-    fn coverage(&self, view: usize) -> &[f32] {
-        &self.views[view].coverage
-    }
-
-    fn d_coverage(&self, view: usize) -> &[f32] {
-        &self.views[view].d_coverage
-    }
-
-    fn d_points_image(&self) -> &[[f32; 4]] {
+    /// The image terms' share of the gradient last evaluated.
+    pub fn d_points_image(&self) -> &[[f32; 4]] {
         &self.d_points_image
+    }
+}
+
+impl Engine for CpuEngine {
+    fn load(&mut self, scene: Scene) -> Work<'_> {
+        let Scene { sampling, strokes, jerk, views, raster, pyramid } = scene;
+        self.views = views.into_iter().map(|view| ViewEngine::new(view, raster, pyramid)).collect();
+        self.scene = Some(Curve { sampling, strokes, jerk });
+        Work::Done(())
+    }
+
+    fn set_target(&mut self, view: usize, ink: &[f32]) {
+        self.views[view].target.data.copy_from_slice(ink);
+    }
+
+    fn evaluate<'a>(
+        &'a mut self,
+        points: &'a [[f32; 4]],
+        step: &'a Step,
+        terms: &'a mut [f32],
+        d_points: &'a mut Vec<[f32; 4]>,
+    ) -> Work<'a> {
+        self.evaluate_now(points, step, terms, d_points);
+        Work::Done(())
+    }
+
+    fn advance<'a>(
+        &'a mut self,
+        state: &'a mut State,
+        tally: &'a mut Tally,
+        steps: &'a [Step],
+        terms: &'a mut [f32],
+    ) -> Work<'a> {
+        let row = terms.len() / steps.len().max(1);
+        let mut d_points = std::mem::take(&mut self.d_points);
+        for (step, terms) in steps.iter().zip(terms.chunks_exact_mut(row.max(1))) {
+            self.evaluate_now(&state.points, step, terms, &mut d_points);
+            tally.note(step, &state.points, terms, &self.d_points_image);
+            state.step(step, &d_points);
+        }
+        self.d_points = d_points;
+        Work::Done(())
+    }
+
+    fn fetch(&mut self, _: Picture) -> Work<'_> {
+        Work::Done(())
+    }
+
+    fn picture(&self, picture: Picture, view: usize) -> &[f32] {
+        match picture {
+            Picture::Coverage => &self.views[view].coverage,
+            Picture::DCoverage => &self.views[view].d_coverage,
+        }
+    }
+
+    fn batch(&self) -> usize {
+        1
+    }
+
+    fn place(&self) -> Place {
+        let why = self.why.clone().unwrap_or_else(|| "The processor does the work.".into());
+        Place { backend: "cpu", device: "processor".into(), why }
     }
 }
 

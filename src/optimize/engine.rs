@@ -4,7 +4,7 @@
 //! stage or topology changes, and between those asks it to [`Engine::advance`]: one iteration at a time on a processor,
 //! or many at once where a round trip is dear.
 
-use super::{Adam, AdamOptions, RasterKind};
+use super::{Adam, AdamOptions, RasterKind, Work};
 use crate::Error;
 use crate::objective::Pyramid;
 use crate::view::{Camera, Image};
@@ -55,6 +55,10 @@ pub struct Step {
     pub length: f32,
     /// Smallest and largest width.
     pub width_bounds: [f32; 2],
+    /// Factor that makes image losses comparable over the run: one over the sum of the level weights.
+    pub loss_scale: f32,
+    /// Share of this iteration in the running means of [`Tally::gradient_norms`], 0 to 1.
+    pub gradient_share: f32,
 }
 
 /// What the optimiser changes: control points and their moments.
@@ -73,10 +77,62 @@ impl State {
         self.adam.copy_from(&other.adam);
     }
 
+    /// One step of Adam along `gradient`, then the widths' bounds.
+    pub fn step(&mut self, step: &Step, gradient: &[[f32; 4]]) {
+        self.adam.step(&step.adam, &step.rates, &mut self.points, gradient);
+        let [min, max] = step.width_bounds;
+        for point in &mut self.points {
+            // Not `clamp`: a NaN must stay one, so that the session sees it.
+            if point[3] < min {
+                point[3] = min;
+            } else if point[3] > max {
+                point[3] = max;
+            }
+        }
+    }
+
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let finite = |points: &[[f32; 4]]| points.iter().flatten().all(|value| value.is_finite());
         finite(&self.points) && finite(&self.adam.first) && finite(&self.adam.second)
+    }
+}
+
+/// What iterations leave behind besides the state.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tally {
+    /// The points with the lowest image loss so far.
+    pub best_points: Vec<[f32; 4]>,
+    /// That loss, times [`Step::loss_scale`]; infinite before the first.
+    pub best_loss: f32,
+    /// Running means of the length of the image gradient to each control point's position.
+    pub gradient_norms: Vec<f32>,
+}
+
+impl Tally {
+    /// For `count` points, before the first iteration.
+    pub fn new(count: usize) -> Tally {
+        Tally { best_points: Vec::new(), best_loss: f32::INFINITY, gradient_norms: vec![0.0; count] }
+    }
+
+    /// Copies without allocating where lengths agree.
+    pub fn copy_from(&mut self, other: &Tally) {
+        self.best_points.clone_from(&other.best_points);
+        self.best_loss = other.best_loss;
+        self.gradient_norms.clone_from(&other.gradient_norms);
+    }
+
+    /// Takes note of an iteration before its step, from its row of terms and the image terms' gradient.
+    pub fn note(&mut self, step: &Step, points: &[[f32; 4]], terms: &[f32], d_points_image: &[[f32; 4]]) {
+        let loss = terms[1..terms.len() - 2].iter().sum::<f32>() * step.loss_scale;
+        if loss < self.best_loss {
+            self.best_loss = loss;
+            self.best_points.clear();
+            self.best_points.extend_from_slice(points);
+        }
+        for (mean, [x, y, z, _]) in self.gradient_norms.iter_mut().zip(d_points_image) {
+            *mean += step.gradient_share * ((x * x + y * y + z * z).sqrt() - *mean);
+        }
     }
 }
 
@@ -96,58 +152,58 @@ pub fn term_count(views: usize) -> usize {
     views + 3
 }
 
-/// Computes iterations. Same scene, state and steps give the same numbers, bit for bit, on any number of threads.
+/// What an engine draws that has an entry a pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Picture {
+    /// Coverage, 0 to 1.
+    Coverage,
+    /// Gradient of the loss to it.
+    DCoverage,
+}
+
+/// Computes iterations. Same scene, state and steps give the same numbers, bit for bit, on any number of threads and
+/// however many iterations go into a call.
 pub trait Engine: Send {
     /// Takes over a new scene.
-    fn load(&mut self, scene: Scene);
+    fn load(&mut self, scene: Scene) -> Work<'_>;
 
     /// Replaces the target of view `view`, of unchanged size.
     fn set_target(&mut self, view: usize, ink: &[f32]);
 
     /// Loss terms at `points` (total, one a view, jerk, length; weighted) into `terms`, and the gradient of the total
     /// into `d_points`. Results need not be finite; the session looks after that.
-    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>);
+    fn evaluate<'a>(
+        &'a mut self,
+        points: &'a [[f32; 4]],
+        step: &'a Step,
+        terms: &'a mut [f32],
+        d_points: &'a mut Vec<[f32; 4]>,
+    ) -> Work<'a>;
 
-    /// Coverage of view `view` at the points last evaluated.
-    fn coverage(&self, view: usize) -> &[f32];
+    /// One iteration for each of `steps`: evaluate, note, step. `terms` has a row of [`term_count`] entries for each,
+    /// taken before its step.
+    fn advance<'a>(
+        &'a mut self,
+        state: &'a mut State,
+        tally: &'a mut Tally,
+        steps: &'a [Step],
+        terms: &'a mut [f32],
+    ) -> Work<'a>;
 
-    /// Gradient of the loss to the coverage of view `view` at the points last evaluated.
-    fn d_coverage(&self, view: usize) -> &[f32];
+    /// Has the pictures of the points last evaluated at hand for [`Engine::picture`].
+    fn fetch(&mut self, picture: Picture) -> Work<'_>;
 
-    /// The image terms' share of the gradient last evaluated.
-    fn d_points_image(&self) -> &[[f32; 4]];
+    /// A picture of view `view` as last fetched.
+    fn picture(&self, picture: Picture, view: usize) -> &[f32];
 
     /// The most iterations that pay in one call of [`Engine::advance`].
-    fn batch(&self) -> usize {
-        1
-    }
+    fn batch(&self) -> usize;
 
     /// Where it computes now.
-    fn place(&self) -> Place {
-        Place { backend: "cpu", device: "processor".into(), why: "The processor does the work.".into() }
-    }
+    fn place(&self) -> Place;
 
     /// Why it no longer computes where it was asked to, if so.
     fn trouble(&self) -> Option<&Error> {
         None
-    }
-
-    /// One iteration for each of `steps`: evaluate, step, clamp widths. `terms` has a row of [`term_count`] entries for
-    /// each, taken before its step. `d_points` is scratch.
-    fn advance(&mut self, state: &mut State, steps: &[Step], terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
-        let row = terms.len() / steps.len().max(1);
-        for (step, terms) in steps.iter().zip(terms.chunks_exact_mut(row.max(1))) {
-            self.evaluate(&state.points, step, terms, d_points);
-            state.adam.step(&step.adam, &step.rates, &mut state.points, d_points);
-            let [min, max] = step.width_bounds;
-            for point in &mut state.points {
-                // Not `clamp`: a NaN must stay one, so that the session sees it.
-                if point[3] < min {
-                    point[3] = min;
-                } else if point[3] > max {
-                    point[3] = max;
-                }
-            }
-        }
     }
 }

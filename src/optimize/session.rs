@@ -1,10 +1,11 @@
 //! The session: pulls a problem along, iteration by iteration, and decides what happens when.
 
 use super::bending::{Bender, Field, bend_image};
-use super::engine::{Engine, Place, Scene, SceneView, State, Step, term_count};
+use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
 use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::topology::TopologyEdit;
+use super::work::wait;
 use super::{CpuEngine, Problem, Stage};
 use crate::objective::Displacement;
 use crate::rng::Rng;
@@ -14,14 +15,6 @@ use crate::{Error, Result};
 
 /// Small pictures in which places that lack ink are looked for.
 const LACK_SIZE_PX: usize = 64;
-
-/// A wire with the loss it had, to compare with others of its stage.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Best {
-    pub wire: Wire,
-    pub points: Vec<[f32; 4]>,
-    pub loss: f32,
-}
 
 /// A fit under way. Pause by not calling [`Session::step`], cancel by dropping it, resume from [`Session::checkpoint`].
 pub struct Session {
@@ -34,19 +27,20 @@ pub struct Session {
     pub(super) state: State,
     /// The state of the last iteration whose loss and step were finite, before that step.
     pub(super) good: State,
-    pub(super) best: Best,
+    /// The lowest loss of the present stage, and gradients since the last edit.
+    pub(super) tally: Tally,
+    /// Form and knots of the best wire; its control points lie in `tally`.
+    pub(super) best_wire: Wire,
     pub(super) fields: Vec<Field>,
     pub(super) bender: Option<Bender>,
     pub(super) iteration: usize,
     pub(super) halvings: u32,
-    /// Running means of the image gradient's length at each control point, and over how many iterations.
-    pub(super) gradient_norms: Vec<f32>,
+    /// Over how many iterations the tally's running means reach.
     pub(super) gradient_count: u32,
     pub(super) rng: Rng,
     pub(super) history: History,
     pub(super) events: Vec<Event>,
-    before: State,
-    d_points: Vec<[f32; 4]>,
+    before: (State, Tally),
     steps: Vec<Step>,
     terms: Vec<f32>,
     loaded: bool,
@@ -77,6 +71,7 @@ impl Session {
             .collect();
         let count = points.len();
         let state = State { points: points.clone(), adam: super::Adam::new(count) };
+        let tally = Tally { best_points: points, ..Tally::new(count) };
         let names = problem.targets.iter().map(|target| target.view.name.clone());
         let history = History::new(names, problem.recipe.iterations());
         let grid = problem.recipe.bending.as_ref().map(|bending| bending.grid);
@@ -85,19 +80,18 @@ impl Session {
             engine,
             wire: problem.wire.clone(),
             good: state.clone(),
-            before: state.clone(),
+            before: (state.clone(), tally.clone()),
             state,
-            best: Best { wire: problem.wire.clone(), points, loss: f32::INFINITY },
+            tally,
+            best_wire: problem.wire.clone(),
             fields,
             bender: None,
             iteration: 0,
             halvings: 0,
-            gradient_norms: vec![0.0; count],
             gradient_count: 0,
             rng: Rng::new(problem.seed, 0x6f70_7469),
             history,
             events: Vec::new(),
-            d_points: Vec::new(),
             steps: Vec::new(),
             terms: Vec::new(),
             loaded: false,
@@ -143,7 +137,7 @@ impl Session {
 
     /// The wire with the lowest image loss of the present stage so far; of the last stage in the end.
     pub fn best(&self) -> Wire {
-        with_points(&self.best.wire, &self.best.points)
+        with_points(&self.best_wire, &self.tally.best_points)
     }
 
     /// Where the fit is computed now.
@@ -156,12 +150,17 @@ impl Session {
         self.engine.trouble()
     }
 
-    /// View `view` as last drawn, at the size that is fitted; blank before the first iteration.
-    pub fn coverage(&self, view: usize) -> Image {
+    /// View `view` as last drawn, at the size that is fitted; blank before the first iteration. Waits as [`Session::step`].
+    pub fn coverage(&mut self, view: usize) -> Image {
+        wait(self.engine.fetch(Picture::Coverage).done());
+        self.fetched_coverage(view)
+    }
+
+    fn fetched_coverage(&self, view: usize) -> Image {
         let (width, height) = fitted_size(&self.problem.targets[view], self.stage());
         let mut image = Image::new(width, height);
         if self.loaded {
-            image.data.copy_from_slice(self.engine.coverage(view));
+            image.data.copy_from_slice(self.engine.picture(Picture::Coverage, view));
         }
         image
     }
@@ -182,14 +181,19 @@ impl Session {
         }
     }
 
-    /// Does up to `count` more iterations and says what happened.
+    /// Does up to `count` more iterations and says what happened. On a browser's device use [`Session::step_async`].
     pub fn step(&mut self, count: usize) -> Vec<Event> {
+        wait(self.step_async(count))
+    }
+
+    /// [`Session::step`] where the thread has other things to do while a device computes.
+    pub async fn step_async(&mut self, count: usize) -> Vec<Event> {
         let first_new = self.events.len();
         let end = self.iteration.saturating_add(count).min(self.total());
         while self.iteration < end {
-            self.prepare();
+            self.prepare().await;
             let batch = self.batch(end);
-            self.advance(batch);
+            self.advance(batch).await;
             if self.is_done() {
                 self.record(EventKind::Done, self.iteration);
             }
@@ -198,16 +202,18 @@ impl Session {
     }
 
     /// Whatever is due before the next iteration.
-    fn prepare(&mut self) {
+    async fn prepare(&mut self) {
         let (index, start) = self.stage_index();
         let i = self.iteration;
         if i == start {
-            self.load();
+            self.load().await;
             // Losses at another size are no measure for this one.
-            self.best = Best { wire: self.wire.clone(), points: self.state.points.clone(), loss: f32::INFINITY };
+            self.best_wire = self.wire.clone();
+            self.tally.best_points.clone_from(&self.state.points);
+            self.tally.best_loss = f32::INFINITY;
             self.record(EventKind::Stage, index + 1);
         } else if !self.loaded {
-            self.load();
+            self.load().await;
         }
         let stage = &self.problem.recipe.stages[index];
         let restart_at = |share: &f64| start + (share * stage.iterations as f64).round() as usize;
@@ -219,7 +225,7 @@ impl Session {
         for e in 0..self.problem.recipe.topology.len() {
             let event = &self.problem.recipe.topology[e];
             if event.at.iteration(self.total()) == i {
-                self.edit(&event.edit.clone());
+                self.edit(&event.edit.clone()).await;
             }
         }
     }
@@ -227,9 +233,7 @@ impl Session {
     /// How many iterations can be done before anything else is due.
     fn batch(&self, end: usize) -> usize {
         let total = self.total();
-        // Batches end at whole multiples, wherever a run was interrupted.
-        let most = self.engine.batch().max(1);
-        let limit = ((self.iteration / most + 1) * most).min(end);
+        let limit = (self.iteration + self.engine.batch().max(1)).min(end);
         let recipe = &self.problem.recipe;
         let mut stage_start = 0;
         let is_due = |i: usize| {
@@ -249,44 +253,45 @@ impl Session {
     }
 
     /// `batch` iterations on the engine, and what follows from them.
-    fn advance(&mut self, batch: usize) {
+    async fn advance(&mut self, batch: usize) {
         let width = term_count(self.problem.targets.len());
+        let window = self.gradient_window();
+        let iterations = self.iteration..self.iteration + batch;
         self.steps.clear();
-        for i in self.iteration..self.iteration + batch {
-            self.steps.push(self.numbers(i));
+        for (k, i) in iterations.clone().enumerate() {
+            let mut step = self.numbers(i);
+            if window > 0 {
+                step.gradient_share = 1.0 / (self.gradient_count + k as u32 + 1).min(window) as f32;
+            }
+            self.steps.push(step);
         }
         self.terms.clear();
         self.terms.resize(width * batch, 0.0);
-        self.before.copy_from(&self.state);
-        self.engine.advance(&mut self.state, &self.steps, &mut self.terms, &mut self.d_points);
+        self.before.0.copy_from(&self.state);
+        self.before.1.copy_from(&self.tally);
+        self.engine.advance(&mut self.state, &mut self.tally, &self.steps, &mut self.terms).done().await;
         for row in self.terms.chunks_exact(width) {
             self.history.push(row);
         }
         let usable = |state: &State| {
             state.is_finite() && state.points.iter().flatten().all(|c| f64::from(c.abs()) <= MAX_COORDINATE)
         };
-        let (first, last) = (self.iteration, self.iteration + batch - 1);
-        self.iteration += batch;
+        self.iteration = iterations.end;
         if !self.terms.iter().all(|term| term.is_finite()) || !usable(&self.state) {
             self.state.copy_from(&self.good);
+            self.tally.copy_from(&self.before.1);
             self.halvings += 1;
             self.record(EventKind::Undone, self.halvings as usize);
             return;
         }
-        std::mem::swap(&mut self.good, &mut self.before);
-        let image = &self.terms[..width][1..width - 2];
-        let loss = image.iter().sum::<f32>() / level_sum(self.steps[0].level_ratio);
-        // Where a batch of the engine's begins or a stage does, so that interruptions change nothing.
-        let counts = first % self.engine.batch().max(1) == 0 || self.best.loss == f32::INFINITY;
-        if counts && loss < self.best.loss {
-            self.best.loss = loss;
-            if self.best.points.len() != self.good.points.len() {
-                self.best.wire = self.wire.clone();
-            }
-            self.best.points.clone_from(&self.good.points);
+        std::mem::swap(&mut self.good, &mut self.before.0);
+        if self.tally.best_loss < self.before.1.best_loss
+            && self.best_wire.control_points().len() != self.state.points.len()
+        {
+            self.best_wire = self.wire.clone();
         }
-        self.note_gradients();
-        self.bend(last);
+        self.gradient_count = (self.gradient_count + batch as u32).min(window);
+        self.bend(iterations.end - 1).await;
     }
 
     /// The numbers of iteration `i` in world units.
@@ -305,6 +310,8 @@ impl Session {
             jerk_width: (recipe.jerk_width.at(progress) / (half * half)) as f32,
             length: (recipe.length.at(progress) / half) as f32,
             width_bounds: [self.problem.width.min_world as f32, self.problem.width.max_world as f32],
+            loss_scale: 1.0 / level_sum(recipe.level_ratio.at(progress) as f32),
+            gradient_share: 0.0,
         }
     }
 
@@ -313,63 +320,61 @@ impl Session {
         128.0 * self.px_256
     }
 
-    fn note_gradients(&mut self) {
+    /// Over how many iterations gradients are averaged; none where nothing asks for it.
+    fn gradient_window(&self) -> u32 {
         let windows = self.problem.recipe.topology.iter().filter_map(|event| match &event.edit {
-            TopologyEdit::Refine(refine) => Some(refine.window),
+            TopologyEdit::Refine(refine) => Some(refine.window as u32),
             TopologyEdit::Reinit(_) => None,
         });
-        let Some(window) = windows.max() else { return };
-        self.gradient_count = (self.gradient_count + 1).min(window as u32);
-        let share = 1.0 / self.gradient_count as f32;
-        for (mean, [x, y, z, _]) in self.gradient_norms.iter_mut().zip(self.engine.d_points_image()) {
-            *mean += share * ((x * x + y * y + z * z).sqrt() - *mean);
-        }
+        windows.max().unwrap_or(0)
     }
 
-    fn bend(&mut self, iteration: usize) {
+    async fn bend(&mut self, iteration: usize) {
         let total = self.total();
         let (Some(bending), Some(bender)) = (&self.problem.recipe.bending, &mut self.bender) else { return };
         if !bending.is_due(iteration, total) {
             return;
         }
+        self.engine.fetch(Picture::DCoverage).done().await;
         let engine = &self.engine;
-        bender.update(iteration as f64 / total as f64, |view| engine.d_coverage(view));
+        bender.update(iteration as f64 / total as f64, |view| engine.picture(Picture::DCoverage, view));
         for view in 0..self.problem.targets.len() {
             self.engine.set_target(view, bender.bent(view));
         }
     }
 
-    fn edit(&mut self, edit: &TopologyEdit) {
+    async fn edit(&mut self, edit: &TopologyEdit) {
         let (kind, count) = match edit {
-            TopologyEdit::Reinit(options) => (EventKind::Reinit, self.reinit(options)),
+            TopologyEdit::Reinit(options) => (EventKind::Reinit, self.reinit(options).await),
             TopologyEdit::Refine(options) => {
                 let mut wire = self.wire();
-                let norms = &self.gradient_norms;
+                let norms = &self.tally.gradient_norms;
                 let count = options.apply(options.shortest_px * self.px_256, norms, &mut wire, &mut self.state);
                 self.wire = wire;
                 (EventKind::Refine, count)
             }
         };
-        self.gradient_norms.clear();
-        self.gradient_norms.resize(self.state.points.len(), 0.0);
+        self.tally.gradient_norms.clear();
+        self.tally.gradient_norms.resize(self.state.points.len(), 0.0);
         self.gradient_count = 0;
         self.good.copy_from(&self.state);
         if kind == EventKind::Refine && count > 0 {
-            self.load();
+            self.load().await;
         }
         self.record(kind, count);
     }
 
-    fn reinit(&mut self, options: &Reinit) -> usize {
+    async fn reinit(&mut self, options: &Reinit) -> usize {
         let half_world = self.half_world();
         let mut views = Vec::new();
         if options.new_point == NewPoint::LackingInk {
             // Drawn afresh, so that a resumed session sees what an uninterrupted one does.
             let mut terms = vec![0.0; term_count(self.problem.targets.len())];
             let step = self.numbers(self.iteration);
-            self.engine.evaluate(&self.state.points, &step, &mut terms, &mut self.d_points);
+            self.engine.evaluate(&self.state.points, &step, &mut terms, &mut Vec::new()).done().await;
+            self.engine.fetch(Picture::Coverage).done().await;
             for (v, target) in self.problem.targets.iter().enumerate() {
-                let coverage = self.coverage(v);
+                let coverage = self.fetched_coverage(v);
                 let mut lack = self.fitted_ink(v);
                 let ink = lack.clone();
                 for (lack, c) in lack.data.iter_mut().zip(&coverage.data) {
@@ -387,7 +392,7 @@ impl Session {
     }
 
     /// Hands the present stage, wire and targets to the engine.
-    fn load(&mut self) {
+    async fn load(&mut self) {
         let stage = self.stage().clone();
         if let Some(bender) = self.bender.take() {
             self.fields = bender.into_fields();
@@ -418,14 +423,15 @@ impl Session {
             target: ink,
             weight: self.problem.view_weight(v) as f32,
         });
-        self.engine.load(Scene {
+        let scene = Scene {
             sampling,
             strokes,
             jerk: Jerk::new(&self.wire),
             views: views.collect(),
             raster: stage.raster,
             pyramid: self.problem.recipe.pyramid,
-        });
+        };
+        self.engine.load(scene).done().await;
         self.loaded = true;
     }
 

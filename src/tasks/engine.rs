@@ -1,39 +1,83 @@
-//! What computes a fit, as the settings say.
+//! What computes a fit, as the settings say, and why.
 
 use crate::Result;
 use crate::optimize::{CpuEngine, Engine, Place};
 use crate::settings::Backend;
 
-/// `gpu`: the best graphics card, if it passes its check. `cpu` and `auto`: the processor; no card has been measured to be
-/// faster yet.
+/// `gpu`: the best device there is, be it a program. `cpu`: the processor. `auto`: a graphics card if there is one and it
+/// passes its check, else the processor; it is faster than any program that plays a graphics card.
 ///
 /// # Errors
-/// [`crate::Error::Device`] if a card is asked for and there is none, or none that computes rightly.
-#[cfg(feature = "gpu")]
-pub(super) fn engine(backend: Backend) -> Result<Box<dyn Engine>> {
-    use crate::gpu::{Device, GpuEngine, Kind};
+/// [`crate::Error::Device`] if a device is asked for and there is none, or none that computes rightly.
+pub(super) async fn engine(backend: Backend) -> Result<Box<dyn Engine>> {
     match backend {
-        Backend::Cpu | Backend::Auto => Ok(Box::new(CpuEngine::new())),
-        Backend::Gpu => Ok(Box::new(GpuEngine::new(&Device::acquire(Kind::wanted())?)?)),
+        Backend::Cpu => Ok(Box::new(CpuEngine::because("The processor does the work, as the settings ask."))),
+        Backend::Gpu => device_engine().await,
+        Backend::Auto => Ok(best_engine().await),
     }
-}
-
-/// The processor, all that this build knows.
-///
-/// # Errors
-/// [`crate::Error::Setting`] if a graphics card is asked for.
-#[cfg(not(feature = "gpu"))]
-pub(super) fn engine(backend: Backend) -> Result<Box<dyn Engine>> {
-    if backend == Backend::Gpu {
-        return Err(crate::Error::setting("backend", "this build computes on the processor alone", "use auto or cpu"));
-    }
-    Ok(Box::new(CpuEngine::new()))
 }
 
 /// Where a fit with this backend will be computed, and why.
 ///
 /// # Errors
-/// [`crate::Error::Device`] if a card is asked for and there is none, or none that computes rightly.
-pub fn place(backend: Backend) -> Result<Place> {
-    Ok(engine(backend)?.place())
+/// As [`engine`].
+pub async fn place(backend: Backend) -> Result<Place> {
+    Ok(engine(backend).await?.place())
+}
+
+#[cfg(feature = "gpu")]
+mod device {
+    use super::*;
+    use crate::gpu::{Absence, Device, GpuEngine, Kind, self_check};
+    use std::cell::RefCell;
+
+    thread_local! {
+        /// The last device that passed its check: to ask where a fit will be computed should not cost a fit's start twice.
+        static CHECKED: RefCell<Option<(Kind, Device)>> = const { RefCell::new(None) };
+    }
+
+    async fn checked(kind: Kind) -> Result<Device, Absence> {
+        let kept = CHECKED.take().filter(|(kept, device)| *kept == kind && device.faultless().is_ok());
+        let device = match kept {
+            Some((_, device)) => device,
+            None => {
+                let device = Device::acquire_async(kind).await?;
+                self_check(&mut GpuEngine::new(&device, "")).await?;
+                device
+            }
+        };
+        CHECKED.set(Some((kind, device.clone())));
+        Ok(device)
+    }
+
+    pub async fn device_engine() -> Result<Box<dyn Engine>> {
+        let device = checked(Kind::Any).await?;
+        Ok(Box::new(GpuEngine::new(&device, "The graphics card does the work, as the settings ask.")))
+    }
+
+    pub async fn best_engine() -> Box<dyn Engine> {
+        match checked(Kind::Card).await {
+            Ok(device) => Box::new(GpuEngine::new(&device, "The graphics card does the work: it is the fastest here.")),
+            Err(absence) => Box::new(CpuEngine::because(sentence(&absence.to_string()))),
+        }
+    }
+
+    /// Why the processor does the work.
+    fn sentence(absence: &str) -> String {
+        let mut letters = absence.chars();
+        let first = letters.next().map(char::to_uppercase).into_iter().flatten();
+        format!("{}, so the processor does the work.", first.chain(letters).collect::<String>())
+    }
+}
+#[cfg(feature = "gpu")]
+use device::{best_engine, device_engine};
+
+#[cfg(not(feature = "gpu"))]
+async fn device_engine() -> Result<Box<dyn Engine>> {
+    Err(crate::Error::setting("backend", "this build computes on the processor alone", "use auto or cpu"))
+}
+
+#[cfg(not(feature = "gpu"))]
+async fn best_engine() -> Box<dyn Engine> {
+    Box::new(CpuEngine::because("This build computes on the processor alone."))
 }

@@ -8,7 +8,7 @@ use super::fit::recipe;
 use super::saved::SavedRun;
 use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultReport, TimeReport, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::{Event, Place, Problem, Session, WidthBounds};
+use crate::optimize::{Event, Place, Problem, Session, WidthBounds, wait};
 use crate::sculpture::{MadeWith, Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Turn};
 use crate::start::{
@@ -299,8 +299,16 @@ impl Run {
     /// As the start chosen by the settings, and [`Problem::check`]; [`Error::Device`] if a graphics card is asked for
     /// and there is none that computes rightly.
     pub fn start(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
+        wait(Run::start_async(plan, settings, progress))
+    }
+
+    /// [`Run::start`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::start`].
+    pub async fn start_async(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
         // First of all: who asks for a device that is not there should not have to wait for it.
-        let engine = engine(settings.backend)?;
+        let engine = engine(settings.backend).await?;
         let bending = if plan.bends_before(settings) { BENDING_SHARE } else { 0.0 };
         let (targets, moved_before) = plan.targets_to_fit(settings, &mut |share| progress(bending * share))?;
         let wire = plan.first_wire(&targets, settings, &mut |share| progress(bending + (1.0 - bending) * share))?;
@@ -325,17 +333,35 @@ impl Run {
         checkpoint: &[u8],
         progress: &mut dyn FnMut(f32) -> bool,
     ) -> Result<Run> {
+        wait(Run::resume_async(plan, settings, checkpoint, progress))
+    }
+
+    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::resume`].
+    pub async fn resume_async(
+        plan: Plan,
+        settings: &Settings,
+        checkpoint: &[u8],
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<Run> {
         let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan, settings)?;
         let (targets, moved_before) = plan.targets_to_fit(settings, progress)?;
         // The wire as it was grown is gone; only its form counts now.
         let problem = plan.problem(saved.wire().clone(), targets, settings);
-        let session = Session::resume_with_engine(problem, saved, engine(settings.backend)?)?;
+        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
         Ok(Run { settings: settings.clone(), session, plan, moved_before })
     }
 
     /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
     pub fn step(&mut self, count: usize) -> Vec<Event> {
         self.session.step(count)
+    }
+
+    /// [`Run::step`] where the thread has other things to do while a device computes.
+    pub async fn step_async(&mut self, count: usize) -> Vec<Event> {
+        self.session.step_async(count).await
     }
 
     /// How the drawings were arranged.

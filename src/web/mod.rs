@@ -32,7 +32,7 @@ pub fn settings_table() -> String {
 #[wasm_bindgen]
 pub async fn place(backend: String) -> Result<String, JsError> {
     let settings = Settings::from_pairs([("backend", backend.as_str())])?;
-    Ok(json(&crate::tasks::place(settings.backend)?))
+    Ok(json(&crate::tasks::place(settings.backend).await?))
 }
 
 /// Settings from a JSON object of texts by name.

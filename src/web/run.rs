@@ -48,10 +48,11 @@ impl Run {
         let share = 100.0 * plan.mean_coverable();
         let words = format!("Finding a way for the wire… {share:.0}% of the ink can be shown");
         ears.tell(&words, 0.0);
-        let run = multiview::Run::start(plan, &settings, &mut |share| {
+        let run = multiview::Run::start_async(plan, &settings, &mut |share| {
             ears.tell(&words, share);
             true
-        })?;
+        })
+        .await?;
         Ok(Run(run))
     }
 
@@ -65,16 +66,17 @@ impl Run {
     ) -> Result<Run, JsError> {
         let (ears, settings) = (Ears { tell, note }, parse_settings(settings)?);
         let plan = ears.plan(drawings, &settings)?;
-        let run = multiview::Run::resume(plan, &settings, checkpoint, &mut |share| {
+        let run = multiview::Run::resume_async(plan, &settings, checkpoint, &mut |share| {
             ears.tell("Going on from there…", share);
             true
-        })?;
+        })
+        .await?;
         Ok(Run(run))
     }
 
     /// Up to `count` more iterations; what happened, as JSON.
     pub async fn step(&mut self, count: usize) -> String {
-        json(&self.0.step(count))
+        json(&self.0.step_async(count).await)
     }
 
     /// Where the fit is computed now, and why, as JSON: see [`super::place`].

@@ -69,7 +69,14 @@ fn compile() -> Result {
     } else {
         debian_cargo()?
     };
-    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").args(["build", "--locked", "--lib", "--no-default-features"]);
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").args([
+        "build",
+        "--locked",
+        "--lib",
+        "--no-default-features",
+        "--features",
+        "gpu",
+    ]);
     run(cargo.args(["--profile", "wasm", "--target", TARGET, "--target-dir", TARGET_DIR]))
 }
 

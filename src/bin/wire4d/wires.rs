@@ -111,22 +111,24 @@ pub fn device(_: &ArgMatches) -> Result<()> {
     graphics_card()
 }
 
-/// The device that `--backend gpu` would take, its limits, and whether it computes what the processor does.
+/// The device that `--backend gpu` would take, its limits, and whether it computes what the processor does; and what
+/// `auto` would take.
 #[cfg(feature = "gpu")]
 fn graphics_card() -> Result<()> {
     use wire4d::gpu::{Device, GpuEngine, Kind, self_check};
-    let device = match Device::acquire(Kind::wanted()) {
-        Ok(device) => device,
-        Err(error) => {
-            println!("backend: gpu, none ({error})");
-            return Ok(());
+    use wire4d::optimize::wait;
+    match Device::acquire(Kind::Any) {
+        Err(absence) => println!("backend: gpu, none ({absence})"),
+        Ok(device) => {
+            println!("backend: gpu, {}", device.info());
+            let limits = device.limits().map(|(name, value)| format!("{value} {name}"));
+            println!("limits: {}", limits.join(", "));
+            let difference = wait(self_check(&mut GpuEngine::new(&device, "")))?;
+            println!("self-check: passed, loss and gradient within {difference:.1e} of the processor's");
         }
-    };
-    println!("backend: gpu, {}", device.info());
-    let limits = device.limits().map(|(name, value)| format!("{value} {name}"));
-    println!("limits: {}", limits.join(", "));
-    let difference = self_check(&mut GpuEngine::unchecked(&device, 1)?)?;
-    println!("self-check: passed, loss and gradient within {difference:.1e} of the processor's");
+    }
+    let place = wait(wire4d::tasks::place(wire4d::settings::Backend::Auto))?;
+    println!("auto: {}, {}", place.backend, place.why);
     Ok(())
 }
 
