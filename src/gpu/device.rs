@@ -136,6 +136,25 @@ impl Device {
         self.device.destroy();
     }
 
+    /// Forgets what the device objected to: for an objection that something was done about.
+    pub(super) fn forgive(&self) {
+        if let Ok(mut fault) = self.fault.lock() {
+            fault.take();
+        }
+    }
+
+    /// Makes the device object as it would to a mistake, to a full memory or to a fit too large. For tests.
+    pub fn provoke(&self, kind: FaultKind) {
+        match kind {
+            FaultKind::Lost => {
+                let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::STORAGE;
+                let descriptor = wgpu::BufferDescriptor { label: None, size: 16, usage, mapped_at_creation: false };
+                drop(self.device.create_buffer(&descriptor));
+            }
+            FaultKind::Memory | FaultKind::Limits => note(&self.fault, kind, "provoked"),
+        }
+    }
+
     /// A fault of this device.
     pub(super) fn fault(&self, kind: FaultKind, problem: impl Into<String>) -> Fault {
         Fault { device: self.info.name.clone(), kind, problem: problem.into() }

@@ -3,7 +3,7 @@
 use super::fault::{Answer, Fault, FaultKind};
 use super::pipeline::Pipeline;
 use super::stage::Slot;
-use super::{Absence, Device};
+use super::{Absence, Device, now_ms};
 use crate::Error;
 use crate::optimize::{CpuEngine, Engine, Picture, Place, Scene, State, Step, Tally, Work, term_count};
 use std::ops::Range;
@@ -68,7 +68,10 @@ impl GpuEngine {
         let smaller = pipeline.batch() / 8;
         let next = match fault.kind {
             FaultKind::Limits => None,
-            FaultKind::Memory if smaller > 0 => Some(Pipeline::new(pipeline.device(), smaller)),
+            FaultKind::Memory if smaller > 0 => {
+                pipeline.device().forgive();
+                Some(Pipeline::new(pipeline.device(), smaller))
+            }
             FaultKind::Memory => None,
             FaultKind::Lost => {
                 self.losses += 1;
@@ -87,6 +90,9 @@ impl GpuEngine {
             }
         }
         .into();
+        if next.is_none() && fault.kind != FaultKind::Lost {
+            self.why = format!("{} ({}.)", self.why, fault.problem);
+        }
         self.now = match next {
             Some(pipeline) => Now::Device(pipeline),
             None => {
@@ -353,16 +359,5 @@ impl Engine for GpuEngine {
 
     fn trouble(&self) -> Option<&Error> {
         self.trouble.as_ref()
-    }
-}
-
-/// Milliseconds since some moment.
-fn now_ms() -> f64 {
-    #[cfg(target_arch = "wasm32")]
-    return js_sys::Date::now();
-    #[cfg(not(target_arch = "wasm32"))]
-    {
-        static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
-        START.get_or_init(std::time::Instant::now).elapsed().as_secs_f64() * 1e3
     }
 }

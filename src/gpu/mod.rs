@@ -18,10 +18,21 @@ mod stage;
 mod upload;
 
 pub use absence::Absence;
-pub use check::{SELF_CHECK_TOLERANCE, self_check};
+pub use check::{Parity, SELF_CHECK_BARS, parities, self_check, speed_up};
 pub use device::{Device, DeviceInfo, Kind};
 pub use engine::{Another, GpuEngine};
 pub use fault::{Fault, FaultKind};
 pub use layout::SHADER_LAYOUTS;
 pub use pipeline::Pipeline;
 pub use stage::{STAGES, Slot, Stage};
+
+/// Milliseconds since some moment.
+fn now_ms() -> f64 {
+    #[cfg(target_arch = "wasm32")]
+    return js_sys::Date::now();
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
+        START.get_or_init(std::time::Instant::now).elapsed().as_secs_f64() * 1e3
+    }
+}

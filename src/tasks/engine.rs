@@ -28,7 +28,7 @@ pub async fn place(backend: Backend) -> Result<Place> {
 #[cfg(feature = "gpu")]
 mod device {
     use super::*;
-    use crate::gpu::{Absence, Device, GpuEngine, Kind, self_check};
+    use crate::gpu::{Absence, Device, GpuEngine, Kind, self_check, speed_up};
     use std::cell::RefCell;
 
     thread_local! {
@@ -52,13 +52,29 @@ mod device {
 
     pub async fn device_engine() -> Result<Box<dyn Engine>> {
         let device = checked(Kind::Any).await?;
-        Ok(Box::new(GpuEngine::new(&device, "The graphics card does the work, as the settings ask.")))
+        let why = match device.info().is_software() {
+            true => "A program that stands in for a graphics card does the work, as the settings ask: right, but slow.",
+            false => "The graphics card does the work, as the settings ask.",
+        };
+        Ok(Box::new(GpuEngine::new(&device, why)))
     }
 
     pub async fn best_engine() -> Box<dyn Engine> {
-        match checked(Kind::Card).await {
-            Ok(device) => Box::new(GpuEngine::new(&device, "The graphics card does the work: it is the fastest here.")),
-            Err(absence) => Box::new(CpuEngine::because(sentence(&absence.to_string()))),
+        let device = match checked(Kind::Card).await {
+            Ok(device) => device,
+            Err(absence) => return Box::new(CpuEngine::because(sentence(&absence.to_string()))),
+        };
+        // A small card beside a large processor: who leaves the choice open wants the wire soon.
+        match speed_up(&device).await {
+            slower if slower < 1.0 => {
+                let device = &device.info().name;
+                Box::new(CpuEngine::because(sentence(&format!("the graphics card {device} is slower here"))))
+            }
+            faster => {
+                let why =
+                    format!("The graphics card does the work: on a small trial it was {faster:.0} times as fast.");
+                Box::new(GpuEngine::new(&device, why))
+            }
         }
     }
 

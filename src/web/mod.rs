@@ -35,6 +35,15 @@ pub async fn place(backend: String) -> Result<String, JsError> {
     Ok(json(&crate::tasks::place(settings.backend).await?))
 }
 
+/// How far the best device, be it a program, is from the processor on a spiral and on hostile wires, as JSON. With a
+/// `skew` other than 1 every comparison must fail.
+#[wasm_bindgen]
+pub async fn parities(skew: f32) -> Result<String, JsError> {
+    use crate::gpu::{Device, GpuEngine, Kind};
+    let device = Device::acquire_async(Kind::Any).await.map_err(Error::from)?;
+    Ok(json(&crate::gpu::parities(&mut GpuEngine::new(&device, ""), skew).await))
+}
+
 /// Settings from a JSON object of texts by name.
 fn parse_settings(text: &str) -> Result<Settings> {
     let pairs: BTreeMap<String, String> = serde_json::from_str(text)

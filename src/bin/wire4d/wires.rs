@@ -115,7 +115,7 @@ pub fn device(_: &ArgMatches) -> Result<()> {
 /// `auto` would take.
 #[cfg(feature = "gpu")]
 fn graphics_card() -> Result<()> {
-    use wire4d::gpu::{Device, GpuEngine, Kind, self_check};
+    use wire4d::gpu::{Device, GpuEngine, Kind, Parity, self_check};
     use wire4d::optimize::wait;
     match Device::acquire(Kind::Any) {
         Err(absence) => println!("backend: gpu, none ({absence})"),
@@ -123,8 +123,10 @@ fn graphics_card() -> Result<()> {
             println!("backend: gpu, {}", device.info());
             let limits = device.limits().map(|(name, value)| format!("{value} {name}"));
             println!("limits: {}", limits.join(", "));
-            let difference = wait(self_check(&mut GpuEngine::new(&device, "")))?;
-            println!("self-check: passed, loss and gradient within {difference:.1e} of the processor's");
+            let Parity { coverage, loss, gradient, .. } = wait(self_check(&mut GpuEngine::new(&device, "")))?;
+            println!(
+                "self-check: passed; off the processor's by: coverage {coverage:.1e}, loss {loss:.1e}, gradient {gradient:.1e}"
+            );
         }
     }
     let place = wait(wire4d::tasks::place(wire4d::settings::Backend::Auto))?;
