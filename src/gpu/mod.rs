@@ -14,6 +14,7 @@ mod engine;
 mod fault;
 mod layout;
 mod pipeline;
+mod raster;
 mod stage;
 mod upload;
 
@@ -24,6 +25,7 @@ pub use engine::{Another, GpuEngine};
 pub use fault::{Fault, FaultKind};
 pub use layout::SHADER_LAYOUTS;
 pub use pipeline::Pipeline;
+pub use raster::GpuRaster;
 pub use stage::{STAGES, Slot, Stage};
 
 /// Milliseconds since some moment.

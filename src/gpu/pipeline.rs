@@ -165,8 +165,9 @@ impl Pipeline {
         };
     }
 
-    /// Submits the stages from `first` to `last` once for each of `steps` (at most [`Pipeline::batch`]); `count` is how
-    /// many steps Adam's moments have seen before. Iteration i writes row i of the terms.
+    /// Submits the stages from `first` to `last` once for each of `steps` (at most [`Pipeline::batch`]), or once where
+    /// there are none, for stages that need no numbers; `count` is how many steps Adam's moments have seen before.
+    /// Iteration i writes row i of the terms.
     ///
     /// # Errors
     /// A fault without a scene.
@@ -183,7 +184,7 @@ impl Pipeline {
         }
         loaded.buffers.write(&self.device, Slot::Step, 0, &packed);
         let stages = Stage::index(first)..Stage::index(last) + 1;
-        let iterations = 0..steps.len();
+        let iterations = 0..steps.len().max(1);
         match self.pace {
             Pace::Stage => {
                 for i in iterations {

@@ -37,7 +37,7 @@ pub trait Raster: Send {
 }
 
 /// Vertices beyond this (in pixels) are not drawn: nothing sensible lies there, and f32 has no digits left.
-const FARTHEST_PX: f32 = 1e6;
+pub(crate) const FARTHEST_PX: f32 = 1e6;
 
 /// What shaders share with the stages here, by the same name.
 #[cfg(feature = "gpu")]

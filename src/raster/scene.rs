@@ -70,32 +70,46 @@ impl Scene {
 }
 
 /// Draws one scene over and over, with buffers that live across runs.
-#[derive(Debug, Default)]
-pub struct SceneRaster {
-    raster: ExactRaster,
+#[derive(Default)]
+pub struct SceneRaster<'a> {
+    exact: ExactRaster,
+    /// What draws in its place.
+    other: Option<&'a mut dyn Raster>,
     flat: FlatStroke,
     d_vertices: Vec<[f32; 3]>,
 }
 
-impl SceneRaster {
+impl<'a> SceneRaster<'a> {
     /// With empty buffers, which grow on the first call.
     pub fn new() -> Self {
         Self::default()
     }
 
+    /// With another rasteriser than the processor's.
+    pub fn on(other: &'a mut dyn Raster) -> Self {
+        SceneRaster { other: Some(other), ..Self::default() }
+    }
+
     /// Coverage, row by row.
     pub fn forward(&mut self, scene: &Scene) -> &[f32] {
-        self.flat.flatten(&scene.control, scene.closed, Subdivision::Tolerance(TOLERANCE_PX));
-        self.raster.forward(scene.size, scene.size, self.flat.vertices(), &self.flat.strokes())
+        let SceneRaster { exact, other, flat, .. } = self;
+        flat.flatten(&scene.control, scene.closed, Subdivision::Tolerance(TOLERANCE_PX));
+        if other.is_some() && flat.pieces_a_bezier() < LEAST_PIECES_FOR_VERTICES {
+            // Moments are for the processor alone.
+            flat.flatten(&scene.control, scene.closed, Subdivision::Fixed(LEAST_PIECES_FOR_VERTICES as usize));
+        }
+        let raster = other.as_deref_mut().unwrap_or(exact);
+        raster.forward(scene.size, scene.size, flat.vertices(), &flat.strokes())
     }
 
     /// From the adjoint of the last coverage to that of the control values; overwrites.
     pub fn backward(&mut self, d_coverage: &[f32], d_control: &mut Vec<[f32; 3]>) {
-        if self.flat.pieces_a_bezier() < LEAST_PIECES_FOR_VERTICES {
-            self.flat.pull_back_moments(&self.raster, d_coverage, d_control);
+        let SceneRaster { exact, other, flat, d_vertices } = self;
+        if other.is_none() && flat.pieces_a_bezier() < LEAST_PIECES_FOR_VERTICES {
+            flat.pull_back_moments(exact, d_coverage, d_control);
         } else {
-            self.raster.backward(d_coverage, &mut self.d_vertices);
-            self.flat.pull_back(&self.d_vertices, d_control);
+            other.as_deref_mut().unwrap_or(exact).backward(d_coverage, d_vertices);
+            flat.pull_back(d_vertices, d_control);
         }
     }
 }
@@ -153,12 +167,13 @@ mod runner {
         backend: &'static str,
     }
 
-    /// Draws the scene, writes what is asked for and returns the line of timings, if any.
+    /// Draws the scene, with a rasteriser named `backend` or the processor's, writes what is asked for and returns the
+    /// line of timings, if any.
     ///
     /// # Errors
     /// [`Error::Input`] for a scene or target that is not one; [`Error::Setting`] for `grad` without a target;
     /// [`Error::Output`] if a file cannot be written.
-    pub fn run(job: &SceneJob) -> Result<Option<String>> {
+    pub fn run(job: &SceneJob, on: Option<(&'static str, &mut dyn Raster)>) -> Result<Option<String>> {
         let scene = Scene::from_json(&name_of(&job.scene), &read(&job.scene)?)?;
         let target = match &job.target {
             Some(path) => Some(read_target(path, scene.size)?),
@@ -169,13 +184,22 @@ mod runner {
         };
         // From here on a worker of the thread pool: passing work to it from outside costs a wake-up every time.
         #[cfg(feature = "threads")]
-        return rayon::scope(|_| draw(job, &scene, target.as_ref()));
+        return rayon::scope(|_| draw(job, &scene, target.as_ref(), on));
         #[cfg(not(feature = "threads"))]
-        draw(job, &scene, target.as_ref())
+        draw(job, &scene, target.as_ref(), on)
     }
 
-    fn draw(job: &SceneJob, scene: &Scene, target: Option<&Image>) -> Result<Option<String>> {
-        let (mut raster, mut d_coverage, mut d_control) = (SceneRaster::new(), Vec::new(), Vec::new());
+    fn draw(
+        job: &SceneJob,
+        scene: &Scene,
+        target: Option<&Image>,
+        on: Option<(&'static str, &mut dyn Raster)>,
+    ) -> Result<Option<String>> {
+        let (backend, mut raster) = match on {
+            Some((name, raster)) => (name, SceneRaster::on(raster)),
+            None => ("cpu", SceneRaster::new()),
+        };
+        let (mut d_coverage, mut d_control) = (Vec::new(), Vec::new());
         let coverage = raster.forward(scene);
         if let Some(path) = &job.out {
             write_whole(path, &npy::encode(scene.size, scene.size, coverage))?;
@@ -207,7 +231,7 @@ mod runner {
         }
         let (forward_ms, backward_ms) = (median(forward), median(backward));
         let scene_name = job.scene.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        json(&job.scene, &Timing { scene: scene_name, forward_ms, backward_ms, backend: "cpu" }).map(Some)
+        json(&job.scene, &Timing { scene: scene_name, forward_ms, backward_ms, backend }).map(Some)
     }
 
     fn median(mut values: Vec<f64>) -> f64 {

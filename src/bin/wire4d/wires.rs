@@ -77,9 +77,6 @@ pub fn open(matches: &ArgMatches) -> Result<()> {
 
 /// `wire4d raster`.
 pub fn raster(matches: &ArgMatches) -> Result<()> {
-    if matches.get_one::<String>("backend").is_some_and(|backend| backend == "gpu") {
-        return Err(Error::setting("--backend", "one scene is drawn on the processor alone", "use auto or cpu"));
-    }
     let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
     let job = SceneJob {
         scene: args::path(matches, "scene").to_owned(),
@@ -88,10 +85,23 @@ pub fn raster(matches: &ArgMatches) -> Result<()> {
         grad: path("grad"),
         repeat: matches.get_one::<u32>("repeat").copied(),
     };
-    if let Some(line) = scene::run(&job)? {
-        println!("{line}");
-    }
+    let on_gpu = matches.get_one::<String>("backend").is_some_and(|backend| backend == "gpu");
+    let line = if on_gpu { draw_on_device(&job)? } else { scene::run(&job, None)? };
+    line.iter().for_each(|line| println!("{line}"));
     Ok(())
+}
+
+#[cfg(feature = "gpu")]
+fn draw_on_device(job: &SceneJob) -> Result<Option<String>> {
+    use wire4d::gpu::{Device, GpuRaster, Kind};
+    let mut raster = GpuRaster::new(&Device::acquire(Kind::Any)?);
+    let line = scene::run(job, Some(("gpu", &mut raster)))?;
+    raster.trouble().map_or(Ok(line), |fault| Err(fault.clone().into()))
+}
+
+#[cfg(not(feature = "gpu"))]
+fn draw_on_device(_: &SceneJob) -> Result<Option<String>> {
+    Err(Error::setting("--backend", "this build computes on the processor alone", "use auto or cpu"))
 }
 
 /// `wire4d device`.
