@@ -76,7 +76,14 @@ export class WireApp extends LitElement {
             <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
-            <settings-panel .studio=${studio} .table=${now.table} .settings=${now.doc.settings} ?locked=${!idle}>
+            <settings-panel
+              .studio=${studio}
+              .table=${now.table}
+              .settings=${now.doc.settings}
+              .where=${now.where}
+              .whenHidden=${now.whenHidden}
+              ?locked=${!idle}
+            >
               <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
             </settings-panel>
           </section>
