@@ -31,7 +31,7 @@ export async function suffer(page: Page, { rightToLeft, storage, webgl2, worker,
   if (first) {
     await page.route(/\/worker-[^/]*\.js$/, async (route) => {
       const response = await route.fetch();
-      await route.fulfill({ response, body: `${first}\n${await response.text()}` });
+      await route.fulfill({ response, body: `{${first}}\n${await response.text()}` });
     });
   }
 }

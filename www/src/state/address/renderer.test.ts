@@ -21,4 +21,5 @@ it("keeps it out of what goes to others", () => {
   expect(forOthers("https://a.example/b/?renderer=cpu#v=1")).toBe("https://a.example/b/");
   expect(forOthers("https://a.example/b/?c=d&renderer=cpu")).toBe("https://a.example/b/?c=d");
   expect(forOthers("https://a.example/b/#w=AB")).toBe("https://a.example/b/");
+  expect(forOthers("https://a.example/b/?c")).toBe("https://a.example/b/?c");
 });

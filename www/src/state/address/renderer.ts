@@ -35,6 +35,7 @@ export function rendererWord(backend: Backend): string {
 export function forOthers(address: string): string {
   const url = new URL(address);
   url.hash = "";
-  url.searchParams.delete(KEY);
+  // To delete what is not there would still write the rest anew.
+  if (url.searchParams.has(KEY)) url.searchParams.delete(KEY);
   return url.href;
 }

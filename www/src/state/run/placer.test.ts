@@ -53,9 +53,17 @@ it("takes the processor where the graphics card is refused, and says why", async
   expect(where).toMatchObject({ place: CPU, refusal: "This browser has no WebGPU." });
   expect(await begun).toBe("cpu");
   expect(notices).toEqual(["This browser has no WebGPU. The processor is used instead."]);
+  placer.end(false);
   placer.follow("cpu");
   await answer(CPU);
   expect(where.refusal).toBe("");
+  // Called off before there was an answer.
+  const off = placer.begin("gpu");
+  placer.end(false);
+  await refuse(new Problem("this browser has no WebGPU"));
+  await answer(CPU);
+  await off;
+  expect(notices).toHaveLength(1);
 });
 
 it("obeys the address, whatever the setting is", async () => {

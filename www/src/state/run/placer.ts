@@ -52,7 +52,8 @@ export class Placer {
     if (this.where.asked === "gpu") await this.question;
     const { asked, refusal } = this.where;
     if (!refusal) return asked;
-    this.notice(`${refusal} ${INSTEAD}`);
+    // Unless it was called off meanwhile.
+    if (this.run === "untold") this.notice(`${refusal} ${INSTEAD}`);
     return "cpu";
   }
 
