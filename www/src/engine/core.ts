@@ -2,6 +2,7 @@
 
 import type { WireShape } from "../embed/shape";
 import type {
+  Backend,
   Drawing,
   ExportFormat,
   Finished,
@@ -10,6 +11,7 @@ import type {
   Ink,
   Measures,
   Picture,
+  Place,
   Placed,
   Preview,
   Reading,
@@ -36,6 +38,8 @@ export interface CoreRun {
   readonly iterations: number;
   /** Up to `count` iterations; what happened. */
   step(count: number): Promise<readonly RunEvent[]>;
+  /** Where it is computed now: a device may be lost on the way. */
+  place(): Place;
   frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
   snapshot(): Snapshot & { readonly wire: OwnShape };
   targets(): Target[];
@@ -74,6 +78,8 @@ async function load(): Promise<typeof core> {
 
 const core = {
   settings: (): SettingsTable => JSON.parse(wasm.settings_table()) as SettingsTable,
+
+  place: async (backend: Backend): Promise<Place> => JSON.parse(await wasm.place(backend)) as Place,
 
   read(picture: Picture, reading: Reading): FoundInk {
     const rgba = new Uint8Array(picture.rgba.buffer, picture.rgba.byteOffset, picture.rgba.byteLength);
@@ -135,6 +141,7 @@ function pulled(run: wasm.Run): CoreRun {
       return run.iterations;
     },
     step: async (count) => JSON.parse(await run.step(count)) as RunEvent[],
+    place: () => JSON.parse(run.place()) as Place,
     frame,
     snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),

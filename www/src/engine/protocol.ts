@@ -101,6 +101,19 @@ export interface BendPreview {
   readonly movedPx: number | null;
 }
 
+/** Words of the setting that says where to compute. */
+export const BACKENDS = ["auto", "cpu", "gpu"] as const;
+export type Backend = (typeof BACKENDS)[number];
+
+/** Where a fit is computed. */
+export interface Place {
+  readonly backend: "cpu" | "gpu";
+  /** The device's own name. */
+  readonly device: string;
+  /** Why there, a sentence for people. */
+  readonly why: string;
+}
+
 /** What the run is at. */
 export interface Frame {
   readonly wire: WireShape;
@@ -191,6 +204,8 @@ export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "wire.json" | "bend.c
 /** What the page can ask for: arguments and answer by name. */
 export interface Calls {
   settings: { arguments: Record<never, never>; answer: SettingsTable };
+  /** Where a run with this setting would be computed; refused with a sentence if that cannot be. May take a second or two. */
+  place: { arguments: { backend: Backend }; answer: Place };
   /** What the core sees in a picture, fitted onto the middle of a square sheet and never stretched. */
   read: { arguments: { picture: Picture; reading: Reading; sidePx: number }; answer: FoundInk };
   /** What two or three drawings come to before a run. */
@@ -218,6 +233,8 @@ export type Control = { control: "pause" | "resume" | "step" | "stop" | "seen" }
 export type News =
   | { news: "progress"; words: string; share: number }
   | { news: "note"; words: string }
+  /** When a run starts, and when it changes on the way. */
+  | { news: "place"; place: Place }
   | { news: "targets"; targets: readonly Target[] }
   | { news: "frame"; frame: Frame }
   | { news: "event"; event: RunEvent }

@@ -1,24 +1,35 @@
 import { describe, expect, it, vi } from "vitest";
 import type { CoreRun, OwnShape } from "./core";
-import type { Frame, News, Snapshot } from "./protocol";
+import type { Frame, News, Place, Snapshot } from "./protocol";
 import { Pull } from "./pull";
 
 const wire = (): OwnShape => ({ closed: false, knots: new Float64Array(8), controlPoints: new Float32Array(16) });
 
-/** A run that takes `ms` an iteration, and a snapshot `snapshotMs`. */
-function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0) {
+const CPU: Place = { backend: "cpu", device: "processor", why: "The processor does the work." };
+const GPU: Place = { backend: "gpu", device: "Card", why: "The graphics card does the work." };
+
+/** A run that takes `ms` an iteration, and a snapshot `snapshotMs`; `waitMs` a slice are spent waiting for a graphics card. */
+function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0, waitMs = 0) {
   let clock = 0;
   vi.spyOn(performance, "now").mockImplementation(() => clock);
   const run = {
     iteration: from,
     iterations,
     asked: [] as number[],
+    where: waitMs ? GPU : CPU,
+    /** What happens while the card is waited for. */
+    meanwhile: () => undefined as void,
     async step(count: number) {
       this.asked.push(count);
-      clock += count * ms;
+      if (waitMs) {
+        await new Promise((resolve) => setTimeout(resolve));
+        this.meanwhile();
+      }
+      clock += waitMs + count * ms;
       this.iteration = Math.min(iterations, this.iteration + count);
       return this.iteration === iterations ? [{ iteration: iterations, kind: "done" as const, count: 1 }] : [];
     },
+    place: () => run.where,
     frame: () => ({ wire: wire(), iteration: run.iteration, iterations, loss: 1 }),
     snapshot: () => ((clock += snapshotMs), { ...run.frame(), checkpoint: new Blob() }),
     targets: () => [],
@@ -50,7 +61,7 @@ const sees = (pull: Pull, news: News) => {
 describe("a pulled run", () => {
   it("shows at most thirty frames a second, and none before the last was seen", async () => {
     const { frames } = await pulled(runOf(3000), sees);
-    expect(frames.length).toBeGreaterThan(60);
+    expect(frames.length).toBeGreaterThan(45);
     expect(frames.length).toBeLessThanOrEqual(3 * 30 + 2);
     expect(frames.at(-1)!.iteration).toBe(3000);
     expect(frames.at(-1)!.iterationsPerSecond).toBeCloseTo(1000, 0);
@@ -114,6 +125,58 @@ describe("a pulled run", () => {
     pull.hear("stop");
     await pull.toTheEnd(run, false);
     expect(run.asked).toEqual([]);
-    expect(told.map((news) => news.news)).toEqual(["snapshot", "frame"]);
+    expect(told.map((news) => news.news)).toEqual(["place", "snapshot", "frame"]);
+  });
+
+  it("does many iterations at once on a fast card, and still shows, keeps and hears", async () => {
+    const run = runOf(20_000, 0.05, 2, 0, 3);
+    const { frames, snapshots } = await pulled(run, sees);
+    expect(Math.max(...run.asked)).toBeGreaterThan(300);
+    const seconds = run.asked.reduce((sum, count) => sum + 3 + 0.05 * count, 0) / 1000;
+    expect(frames.length).toBeGreaterThan(10 * seconds);
+    expect(frames.length).toBeLessThanOrEqual(30 * seconds + 2);
+    expect(snapshots.length).toBeGreaterThan(15);
+    expect(snapshots.length).toBeLessThanOrEqual(41);
+    expect(frames.at(-1)!.iterationsPerSecond).toBeGreaterThan(10_000);
+  });
+
+  it("hears a word that comes while the card is waited for, and acts on it after that slice", async () => {
+    const run = runOf(10_000, 1, 0, 0, 40);
+    let slices = 0;
+    const at: number[] = [];
+    let stepped = 0;
+    let pull!: Pull;
+    run.meanwhile = () => {
+      if (++slices === 10) pull.hear("pause");
+    };
+    const { snapshots } = await pulled(run, (its, news) => {
+      pull = its;
+      sees(pull, news);
+      if (news.news !== "snapshot" || slices < 10) return;
+      at.push(news.snapshot.iteration);
+      setTimeout(() => pull.hear(++stepped < 3 ? "step" : "stop"));
+    });
+    expect(slices).toBe(12);
+    expect(run.asked.slice(10)).toEqual([1, 1]);
+    expect(at).toEqual([0, 1, 2].map((more) => at[0]! + more));
+    expect(snapshots.at(-1)!.iteration).toBe(run.iteration);
+  });
+
+  it("tells where it is computed, again when that changes, and begins with short slices there", async () => {
+    const run = runOf(5000, 0.05, 0, 0, 3);
+    const lost: Place = { ...CPU, why: "The graphics card was lost; the processor goes on." };
+    let slices = 0;
+    run.meanwhile = () => {
+      if (++slices !== 12) return;
+      run.where = lost;
+      // Back to what was kept.
+      run.iteration -= 400;
+    };
+    const { told, frames } = await pulled(run, sees);
+    expect(told.flatMap((news) => (news.news === "place" ? [news.place] : []))).toEqual([GPU, lost]);
+    expect(told[0]!.news).toBe("place");
+    expect(run.asked[12]).toBe(1);
+    expect(frames.every(({ iterationsPerSecond }) => iterationsPerSecond >= 0)).toBe(true);
+    expect(run.iteration).toBe(5000);
   });
 });

@@ -1,13 +1,11 @@
 /** Pulls a run in short slices, so that words from the page get through, and tells the page how it goes. */
 
 import type { CoreRun, OwnShape } from "./core";
-import type { Control, News } from "./protocol";
+import type { Control, News, Place } from "./protocol";
+import { SliceLength } from "./slice-length";
 
-/** How long the run works before it listens again, and the least time between two frames. */
-const SLICE_MS = 30;
+/** The least time between two frames. */
 const FRAME_MS = 1000 / 30;
-/** Most iterations of a slice. */
-const MOST_STEPS = 64;
 /** Over how much running time speed is measured. */
 const SPEED_MS = 1000;
 /** Snapshots in a whole run, and the share of the running time that they may take. */
@@ -21,11 +19,11 @@ export class Pull {
   /** Whether the page has seen the last frame: a slow page is not flooded. */
   private seen = true;
   private wake: () => void = () => undefined;
-  /** As many iterations as fill a slice, found as the run goes. */
-  private steps = 1;
+  private length = new SliceLength();
+  private place: Place | null = null;
   private runningMs = 0;
   /** Running time and iteration after each slice of the last second or so. */
-  private readonly pace: [number, number][] = [];
+  private pace: [number, number][] = [];
   private framed = { at: -Infinity, iteration: -1 };
   private snapped = { iteration: -1, ms: 0 };
 
@@ -39,6 +37,7 @@ export class Pull {
 
   /** Resolves when the run is over or was stopped. `resumed`: the page has the state it begins with. */
   async toTheEnd(run: CoreRun, resumed: boolean): Promise<void> {
+    this.lookWhere(run);
     this.pace.push([0, run.iteration]);
     if (resumed) this.snapped.iteration = run.iteration;
     this.snapshot(run);
@@ -69,17 +68,36 @@ export class Pull {
     if (single) this.wanted = "pause";
     const apart = Math.ceil(run.iterations / SNAPSHOTS);
     const first = run.iteration;
+    // A slice ends where a snapshot is due, if there is time for one.
+    const most = this.maySnapshot() ? apart - (first % apart) : Infinity;
     const before = performance.now();
-    const events = await run.step(single ? 1 : Math.min(this.steps, apart - (first % apart)));
+    const events = await run.step(single ? 1 : Math.min(this.length.next, most));
     for (const event of events) this.tell({ news: "event", event });
     const now = performance.now();
     const took = Math.max(0.1, now - before);
     this.runningMs += took;
-    if (!single) this.steps = Math.round(Math.max(1, Math.min(MOST_STEPS, ((run.iteration - first) * SLICE_MS) / took)));
+    // Where a device was lost, the run has gone back to what was kept of it.
+    if (run.iteration < first) this.pace = [];
+    else if (!single) this.length.learn(run.iteration - first, took);
+    this.lookWhere(run);
     this.pace.push([this.runningMs, run.iteration]);
-    while (this.runningMs - this.pace[1]![0] > SPEED_MS) this.pace.shift();
+    while (this.pace.length > 2 && this.runningMs - this.pace[1]![0] > SPEED_MS) this.pace.shift();
     if (this.seen && now - this.framed.at >= FRAME_MS) this.frame(run);
-    if (run.iteration % apart === 0 && this.snapped.ms <= SNAPSHOT_SHARE * this.runningMs) this.snapshot(run);
+    if (Math.floor(run.iteration / apart) > Math.floor(this.snapped.iteration / apart) && this.maySnapshot()) this.snapshot(run);
+  }
+
+  /** Tells where it is computed, if the page does not know. Elsewhere it goes at another pace. */
+  private lookWhere(run: CoreRun): void {
+    const place = run.place();
+    const { place: told } = this;
+    if (told && told.backend === place.backend && told.device === place.device && told.why === place.why) return;
+    if (told) this.length = new SliceLength();
+    this.place = place;
+    this.tell({ news: "place", place });
+  }
+
+  private maySnapshot(): boolean {
+    return this.snapped.ms <= SNAPSHOT_SHARE * this.runningMs;
   }
 
   private frame(run: CoreRun): void {

@@ -13,6 +13,7 @@ let pull: Pull | null = null;
 
 const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<Calls[K]["answer"]> } = {
   settings: async () => (await loaded()).settings(),
+  place: async ({ backend }) => (await loaded()).place(backend),
   read: async ({ picture, reading, sidePx }) => {
     const found = (await loaded()).read(picture, reading);
     return { ...found, width: sidePx, height: sidePx, ink: fitted(found, sidePx) };

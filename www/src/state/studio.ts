@@ -3,15 +3,19 @@
 import { openShareCode, ShareCodeError } from "../embed/share/code";
 import type { WireShape } from "../embed/shape";
 import { EngineClient, Problem } from "../engine/client";
-import type { Drawing, ExportFormat, Finished, Reading, SettingsTable, SettingValues } from "../engine/protocol";
+import type { Backend, Drawing, ExportFormat, Finished, Reading, SettingsTable, SettingValues } from "../engine/protocol";
 import { sheetOf } from "../engine/sheet";
 import { BLANK, SLOTS, type Doc, type Made, type Slot } from "./keeping/document";
 import { EXAMPLE_VIEWS, exampleCode, examplePapers } from "./example/example";
 import { sortFiles } from "./drawing/files";
 import { known, presetOf, problemWith, readFragment, writeFragment } from "./address/fragment";
+import { forOthers, readRenderer } from "./address/renderer";
 import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./drawing/paper";
 import { readPicture } from "./drawing/picture";
 import { NO_PROJECT, Project, type ProjectState } from "./keeping/project";
+import { remember, remembered } from "./keeping/remember";
+import { HiddenTab, WHEN_HIDDEN, type WhenHidden } from "./run/hidden-tab";
+import { ANYWHERE, Placer, type Whereabouts } from "./run/placer";
 import { NO_PREVIEW, Previewer, sheetsOf, type PadRemedy, type PreviewState } from "./run/previewer";
 import { READY, Runner, type RunState } from "./run/runner";
 import { Store } from "./store";
@@ -19,6 +23,8 @@ import type { Track } from "./run/track";
 import { asSentence, explain, named } from "./words";
 
 export { SLOTS, type Doc, type Made, type Slot } from "./keeping/document";
+export { WHEN_HIDDEN, type WhenHidden } from "./run/hidden-tab";
+export { ANYWHERE, INSTEAD, type Whereabouts } from "./run/placer";
 export type { PadRemedy, PreviewBySlot } from "./run/previewer";
 export type { Phase, Progress } from "./run/runner";
 
@@ -37,7 +43,11 @@ export interface StudioState extends ProjectState, RunState, PreviewState {
   readonly table: SettingsTable | null;
   /** A run that a reload or a crash cut off and that can go on. */
   readonly unfinished: { readonly iteration: number; readonly iterations: number } | null;
+  readonly where: Whereabouts;
+  readonly whenHidden: WhenHidden;
   readonly problem: string;
+  /** What a person should know though nothing is wrong, until they close it. */
+  readonly notices: readonly string[];
   /** A short word about what was just done, such as "Link copied". */
   readonly said: string;
 }
@@ -61,7 +71,10 @@ export class Studio {
     notes: [],
     table: null,
     unfinished: null,
+    where: ANYWHERE,
+    whenHidden: WHEN_HIDDEN.find((choice) => choice === remembered("hidden")) ?? "go",
     problem: "",
+    notices: [],
     said: "",
   });
   private readonly project = new Project((state) => {
@@ -69,6 +82,7 @@ export class Studio {
     this.store.set(state);
     if (state.doc.made !== before.made && !this.opening) this.showMade();
     this.previewer.follow(state.doc);
+    this.seekPlace();
   });
   private readonly engine = new EngineClient((news) => this.runner.hear(news));
   private readonly runner = new Runner(this.engine, {
@@ -76,7 +90,13 @@ export class Studio {
     set: (change) => this.store.set(change),
     wire: (wire) => this.showWire(wire),
     snapshot: (snapshot) => this.project.addSnapshot(snapshot),
+    place: (place) => this.placer.hear(place),
   });
+  private readonly placer = new Placer(
+    (backend) => this.engine.call("place", { backend }),
+    (where) => this.store.set({ where }),
+    (words) => this.notify(words),
+  );
   private readonly previewer = new Previewer(
     (drawings: readonly Drawing[], settings) => this.engine.call("preview", { drawings, settings }),
     (state) => this.store.set(state),
@@ -91,8 +111,16 @@ export class Studio {
   /** Settings from the address, until the table says which of them there are. */
   private asked: SettingValues = {};
 
+  constructor() {
+    const tab = new HiddenTab(() => this.store.get().whenHidden, { phase: () => this.store.get().phase, pauseOrGoOn: () => this.pause() });
+    this.store.follow(() => tab.look());
+  }
+
   /** Brings back what was kept, opens what the address asks for, or shows the example on a first visit. */
-  async begin(hash: string): Promise<void> {
+  async begin({ hash, search }: Pick<Location, "hash" | "search">): Promise<void> {
+    const { backend, problem } = readRenderer(search);
+    if (backend) this.placer.obey(backend);
+    if (problem) this.notify(problem);
     // A link's wire is on the stage at once; into the document it comes as a step over what was kept.
     const opening = this.openFragment(hash);
     this.recalled = this.project.recall();
@@ -224,6 +252,11 @@ export class Studio {
     this.edit("Reset the settings", { settings: {} });
   }
 
+  setWhenHidden(choice: WhenHidden): void {
+    remember("hidden", choice);
+    this.store.set({ whenHidden: choice });
+  }
+
   // Run
 
   async run(): Promise<void> {
@@ -351,7 +384,7 @@ export class Studio {
   /** A link that carries the whole wire and the settings. */
   link(page: string): string | null {
     const code = this.doc.made?.finished.code;
-    return code ? page.replace(/#.*$/, "") + writeFragment(code, this.doc.settings) : null;
+    return code ? forOthers(page) + writeFragment(code, this.doc.settings) : null;
   }
 
   say(said: string): void {
@@ -362,7 +395,26 @@ export class Studio {
     this.store.set({ problem });
   }
 
+  /** The person has read it. */
+  dismiss(notice: string): void {
+    this.store.set({ notices: this.store.get().notices.filter((other) => other !== notice) });
+  }
+
   // Inside
+
+  private notify(notice: string): void {
+    this.dismiss(notice);
+    this.store.set({ notices: [...this.store.get().notices, notice] });
+  }
+
+  /** Once there is a table, so that the engine is loaded and the setting is one that it knows. */
+  private seekPlace(): void {
+    if (this.store.get().table) this.placer.follow(this.backend);
+  }
+
+  private get backend(): Backend {
+    return (this.value("backend") || "auto") as Backend;
+  }
 
   private get doc(): Doc {
     return this.project.doc;
@@ -405,6 +457,7 @@ export class Studio {
     const { settings } = this.doc;
     const next = Object.keys(asked).length ? asked : known(settings, table);
     if (JSON.stringify(next) !== JSON.stringify(settings)) this.project.replace({ settings: next });
+    this.seekPlace();
   }
 
   private besidesPreset(settings: SettingValues): SettingValues {
@@ -422,19 +475,23 @@ export class Studio {
 
   private async fit(track: Track): Promise<void> {
     this.offer(null);
-    this.store.set({ problem: "", said: "" });
+    this.store.set({ problem: "", notices: [], said: "" });
     this.project.beginRun(track);
     const startMs = performance.now();
+    let failed = false;
     try {
-      const finished = await this.runner.run(track);
+      const finished = await this.runner.run(track, this.placer.begin(this.backend));
       if (finished) this.finish(finished, (performance.now() - startMs) / 1000);
       else this.showMade();
     } catch (error) {
+      failed = true;
       this.warn(explain(error, "The run"));
       const { track } = this.store.get();
       const went = track !== null && track.snapshots.length > 0;
       this.showMade();
       if (went) return this.offer(track);
+    } finally {
+      this.placer.end(failed);
     }
     this.project.endRun();
   }

@@ -118,7 +118,7 @@ export async function visit(where: Browser | BrowserContext, url: string, option
 
 /** A profile that outlives its pages: what one visit keeps, the next one finds. */
 export function contextWithProfile(browser: Browser, options: VisitOptions = {}): Promise<BrowserContext> {
-  const { slower: _slower, rightToLeft: _rtl, storage: _storage, webgl2: _webgl2, worker: _worker, ...known } = options;
+  const { slower: _slower, rightToLeft: _rtl, storage: _storage, webgl2: _webgl2, worker: _worker, webgpu: _webgpu, inEngine: _inEngine, ...known } = options;
   return browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...known });
 }
 
@@ -154,6 +154,14 @@ export async function choose(page: Page, setting: string, value: string): Promis
   if (kind === "checkbox") await control.setChecked(value === "on" || value === "true");
   else if (kind === "number") await control.fill(value).then(() => control.press("Tab"));
   else await control.selectOption(value);
+}
+
+/** The settings of where a run is computed, unfolded; on a narrow page their tab must be open. */
+export async function runSettings(page: Page): Promise<Locator> {
+  const setting = page.locator("setting-control[data-setting=backend]");
+  await page.locator("settings-panel summary").filter({ hasText: /^\s*Run/ }).click();
+  await setting.waitFor();
+  return setting;
 }
 
 /** The button that starts a run. */

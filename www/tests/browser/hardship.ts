@@ -10,13 +10,30 @@ export interface Hardship {
   readonly webgl2?: false;
   /** There is no `Worker`. For wasm without SIMD see `launch`: it must hold in workers too. */
   readonly worker?: false;
+  /** The engine's WebGPU is not there, finds no adapter, or refuses to look for one. */
+  readonly webgpu?: keyof typeof WITHOUT_WEBGPU;
+  /** A script for the engine's worker, before its own. */
+  readonly inEngine?: string;
 }
 
-export async function suffer(page: Page, { rightToLeft, storage, webgl2, worker }: Hardship): Promise<void> {
+const WITHOUT_WEBGPU = {
+  missing: `Reflect.deleteProperty(WorkerNavigator.prototype, "gpu");`,
+  adapterless: `GPU.prototype.requestAdapter = async () => null;`,
+  blocked: `GPU.prototype.requestAdapter = async () => { throw new DOMException("WebGPU is blocked.", "OperationError"); };`,
+};
+
+export async function suffer(page: Page, { rightToLeft, storage, webgl2, worker, webgpu, inEngine = "" }: Hardship): Promise<void> {
   if (rightToLeft) await page.addInitScript(readFromRight);
   if (storage === "blocked") await page.addInitScript(blockStorage);
   if (webgl2 === false) await page.addInitScript(takeWebgl2);
   if (worker === false) await page.addInitScript(() => Reflect.deleteProperty(window, "Worker"));
+  const first = (webgpu ? WITHOUT_WEBGPU[webgpu] : "") + inEngine;
+  if (first) {
+    await page.route(/\/worker-[^/]*\.js$/, async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `{${first}}\n${await response.text()}` });
+    });
+  }
 }
 
 function readFromRight(): void {

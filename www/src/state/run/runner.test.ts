@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Finished, Frame, News, Snapshot } from "../../engine/protocol";
+import type { Finished, Frame, News, SettingValues, Snapshot } from "../../engine/protocol";
 import { READY, Runner, type RunState } from "./runner";
 import type { Track } from "./track";
 
@@ -16,26 +16,30 @@ let shown: number;
 let from: Uint8Array | null;
 let end: { finish(finished: Finished): void; fail(error: Error): void };
 let runner: Runner;
+let where: string;
+let settings: SettingValues;
 
 beforeEach(() => {
   vi.stubGlobal("document", { hidden: true });
   vi.useFakeTimers({ toFake: ["performance"] });
   state = { phase: "idle", progress: READY, track: null, looking: null, views: [], targets: [], notes: [] };
   controls = [];
+  where = "";
   shown = NaN;
   const engine = {
-    call: (_call: string, given: { from: Uint8Array | null }) => {
-      from = given.from;
+    call: (_call: string, given: { from: Uint8Array | null; settings: SettingValues }) => {
+      ({ from, settings } = given);
       return new Promise((finish, fail) => (end = { finish, fail }));
     },
     control: (control: string) => void controls.push(control),
-    cancel: () => end.fail(new Cancelled("cancelled")),
+    cancel: () => end?.fail(new Cancelled("cancelled")),
   };
   runner = new Runner(engine as never, {
     get: () => state,
     set: (change) => (state = { ...state, ...change }),
     wire: (wire) => (shown = wire.controlPoints[0]!),
     snapshot: () => undefined,
+    place: (place) => (where = place.device),
   });
 });
 
@@ -43,13 +47,16 @@ afterEach(() => vi.useRealTimers());
 
 const hear = (...news: News[]): void => news.forEach((one) => runner.hear(one));
 const begun = (track = fresh): Promise<Finished | null> => {
-  const run = runner.run(track);
+  const run = runner.run(track, Promise.resolve("auto"));
   hear({ news: "targets", targets: [] });
   return run;
 };
 
+/** Once the engine has been asked. */
+const asked = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
 it("follows a run from the drawings to the wire", async () => {
-  const run = begun();
+  const run = begun({ ...fresh, settings: { seed: "3" } });
   expect(state.phase).toBe("running");
   hear({ news: "frame", frame: frame(10) }, { news: "snapshot", snapshot: snapshot(10) }, { news: "event", event: { iteration: 10, kind: "refine", count: 3 } });
   hear({ news: "frame", frame: frame(15) });
@@ -60,6 +67,8 @@ it("follows a run from the drawings to the wire", async () => {
   expect(state.progress).toMatchObject({ iteration: 20, share: 0.2, secondsLeft: 4 });
   expect(state.track).toMatchObject({ iterations: 100, losses: [[10, 0.1], [15, 1 / 15], [20, 0.05]], events: [{ kind: "refine" }], snapshots: [{ iteration: 10 }] });
   expect(controls).toEqual(["seen", "seen", "seen"]);
+  await asked();
+  expect(settings).toEqual({ seed: "3", backend: "auto" });
   const finished = {} as Finished;
   end.finish(finished);
   expect(await run).toBe(finished);
@@ -78,7 +87,7 @@ it("pauses to look back, keeps looking while frames still come, and returns to t
   expect(controls.filter((control) => control !== "seen")).toEqual(["pause", "resume"]);
 });
 
-it("goes on from a snapshot: what came later is gone", () => {
+it("goes on from a snapshot: what came later is gone", async () => {
   void begun();
   hear(...[10, 20, 30].map((at) => ({ news: "snapshot", snapshot: snapshot(at) }) as const), { news: "frame", frame: frame(15) });
   vi.advanceTimersByTime(200);
@@ -88,23 +97,46 @@ it("goes on from a snapshot: what came later is gone", () => {
   expect(track.losses.map(([iteration]) => iteration)).toEqual([15]);
   expect(runner.at(7)).toBeNull();
   void begun(track);
+  await asked();
   expect(from).toBe(track.snapshots.at(-1)!.checkpoint);
 });
 
 it("comes to nothing when it is called off, and says what went wrong otherwise", async () => {
   const called = begun();
+  await asked();
   runner.cancel();
   expect(await called).toBeNull();
-  const failed = runner.run(fresh);
+  const failed = runner.run(fresh, Promise.resolve("cpu"));
+  await asked();
   runner.stop();
   expect(await failed).toBeNull();
   const crashed = begun();
+  await asked();
   hear({ news: "snapshot", snapshot: snapshot(10) });
   end.fail(new Problem("the engine stopped"));
   await expect(crashed).rejects.toThrow("the engine stopped");
   expect([state.phase, state.track!.snapshots.length]).toEqual(["idle", 1]);
   hear({ news: "frame", frame: frame(99) });
   expect(shown).not.toBe(99);
+});
+
+it("ends at once while it is still unknown where it can be computed, and the engine never hears of it", async () => {
+  end = undefined as never;
+  const run = runner.run(fresh, new Promise(() => undefined));
+  runner.stop();
+  expect(await run).toBeNull();
+  expect([state.phase, end]).toEqual(["idle", undefined]);
+  const soon = runner.run(fresh, Promise.resolve("gpu"));
+  runner.stop();
+  expect([await soon, end]).toEqual([null, undefined]);
+});
+
+it("passes on where it is computed, while it runs", () => {
+  hear({ news: "place", place: { backend: "gpu", device: "Card", why: "" } });
+  expect(where).toBe("");
+  void begun();
+  hear({ news: "place", place: { backend: "gpu", device: "Card", why: "" } });
+  expect(where).toBe("Card");
 });
 
 it("stops with the best so far, once", () => {

@@ -2,7 +2,7 @@
 
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Drawing, Finished, Frame, News, Snapshot, Target, View } from "../../engine/protocol";
+import type { Backend, Drawing, Finished, Frame, News, Place, Snapshot, Target, View } from "../../engine/protocol";
 import { drawingOf } from "../drawing/paper";
 import { nextTask } from "../next-task";
 import { upTo, withEvent, withFrame, withSnapshot, type Track } from "./track";
@@ -41,6 +41,7 @@ export interface RunHooks {
   /** A wire to show while it forms. */
   wire(wire: WireShape): void;
   snapshot(snapshot: Snapshot): void;
+  place(place: Place): void;
 }
 
 /** Numbers that change more often than this cannot be read, and cost a slow page its breath. */
@@ -51,6 +52,8 @@ export class Runner {
   /** Frames whose numbers have not been told yet, and when that was last done. */
   private untold: Frame[] = [];
   private toldMs = -Infinity;
+  /** Ends a run that the engine has not heard of yet. */
+  private callOff: () => void = () => undefined;
 
   constructor(
     private readonly engine: Pick<EngineClient, "call" | "control" | "cancel">,
@@ -58,14 +61,21 @@ export class Runner {
   ) {}
 
   /**
-   * Runs the track's drawings from its last snapshot on, or from the start. Null if it was called off.
+   * Runs the track's drawings from its last snapshot on, or from the start, where `backend` says. Null if it was called off.
    * @throws what the engine says; the track so far stays in the state.
    */
-  async run(track: Track): Promise<Finished | null> {
+  async run(track: Track, backend: Promise<Backend>): Promise<Finished | null> {
     const from = track.snapshots.at(-1)?.checkpoint ?? null;
     const words = from ? "Picking up the wire" : "Looking at the drawings";
     this.newest = null;
     this.untold = [];
+    let off = false;
+    const calledOff = new Promise<null>((resolve) => {
+      this.callOff = () => {
+        off = true;
+        resolve(null);
+      };
+    });
     this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
     try {
       const drawings: Drawing[] = [];
@@ -73,7 +83,9 @@ export class Runner {
         await nextTask();
         drawings.push(drawingOf(paper, slot));
       }
-      return await this.engine.call("run", { drawings, settings: track.settings, from });
+      const decided = await Promise.race([calledOff, backend]);
+      if (off || !decided) return null;
+      return await this.engine.call("run", { drawings, settings: { ...track.settings, backend: decided }, from });
     } catch (error) {
       if (error instanceof Cancelled) return null;
       throw error;
@@ -117,7 +129,9 @@ export class Runner {
 
   /** Ends the run at once and without a wire. */
   cancel(): void {
-    if (this.hooks.get().phase !== "idle") this.engine.cancel();
+    if (this.hooks.get().phase === "idle") return;
+    this.callOff();
+    this.engine.cancel();
   }
 
   /** Shows a snapshot of the run; a running one pauses for it. Null is the newest. */
@@ -147,6 +161,9 @@ export class Runner {
         break;
       case "note":
         this.hooks.set({ notes: [...notes, asSentence(news.words)] });
+        break;
+      case "place":
+        this.hooks.place(news.place);
         break;
       case "targets":
         this.hooks.set({ targets: news.targets, views: news.targets.map(({ view }) => view), phase: "running" });

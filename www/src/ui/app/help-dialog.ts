@@ -1,7 +1,7 @@
 import { css, html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
-import { remember, remembered } from "./remember";
+import { remember, remembered } from "../../state/keeping/remember";
 import { controls } from "../shared/shared";
 import { SHORTCUTS } from "./shortcuts";
 

@@ -60,7 +60,7 @@ export class NoticeList extends Part {
   ];
 
   override render() {
-    const { keeping, unfinished, problem, phase } = this.state;
+    const { keeping, unfinished, problem, notices, phase } = this.state;
     return html`
       <div role="alert">
         ${problem
@@ -70,6 +70,12 @@ export class NoticeList extends Part {
             </div>`
           : nothing}
       </div>
+      ${notices.map((words) =>
+        this.notice(
+          words,
+          html`<button class="plain square" aria-label="Close this message" @click=${() => this.studio.dismiss(words)}>${icons.close}</button>`,
+        ),
+      )}
       ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
       ${unfinished && phase === "idle"
         ? this.notice(

@@ -1,6 +1,6 @@
 /** Light or dark: as the system says, unless a person chose otherwise. */
 
-import { remember, remembered } from "./remember";
+import { remember, remembered } from "../../state/keeping/remember";
 
 export const THEMES = ["system", "light", "dark"] as const;
 export type Theme = (typeof THEMES)[number];

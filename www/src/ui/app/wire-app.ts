@@ -11,7 +11,7 @@ import "./live-region";
 import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
 import { loadParts, rendered } from "./parts";
-import { remember, remembered } from "./remember";
+import { remember, remembered } from "../../state/keeping/remember";
 import type { ResultPanel } from "../run/result-panel";
 import type { SavePanel } from "../save/save-panel";
 import { controls } from "../shared/shared";
@@ -76,7 +76,14 @@ export class WireApp extends LitElement {
             <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
-            <settings-panel .studio=${studio} .table=${now.table} .settings=${now.doc.settings} ?locked=${!idle}>
+            <settings-panel
+              .studio=${studio}
+              .table=${now.table}
+              .settings=${now.doc.settings}
+              .where=${now.where}
+              .whenHidden=${now.whenHidden}
+              ?locked=${!idle}
+            >
               <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
             </settings-panel>
           </section>
@@ -115,7 +122,7 @@ export class WireApp extends LitElement {
     addEventListener("theme-change", () => this.result.recolour(), { signal });
     document.addEventListener("visibilitychange", () => document.hidden || this.seen(), { signal });
     this.narrow.addEventListener("change", () => this.requestUpdate(), { signal });
-    void this.studio.begin(location.hash);
+    void this.studio.begin(location);
   }
 
   /** Once a frame: a run changes its state more often than anybody sees. */

@@ -5,6 +5,7 @@ import { timeLeft } from "../../state/words";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
+import { deviceOf, paceOf } from "../settings/device-words";
 import { controls } from "../shared/shared";
 
 /** Run and what goes with it, and what is going on in words. Fires `draw` when a person wants to draw. */
@@ -63,29 +64,32 @@ export class RunPanel extends Part {
       :host(:dir(rtl)) .bar i {
         transform-origin: right;
       }
-      /* Two lines are kept free, so that nothing below moves when a run starts. */
+      /* Three lines are kept free, so that nothing below moves when a run starts. */
       p {
         display: flex;
         flex-wrap: wrap;
-        justify-content: space-between;
+        align-content: start;
         gap: 0 8px;
-        min-height: 37px;
+        min-height: 54px;
         margin: 8px 0 0;
         font-size: 13px;
         line-height: 18px;
+        white-space: nowrap;
         color: var(--quiet);
       }
       .words {
         flex: 1;
         min-width: 60%;
         overflow-wrap: anywhere;
+        white-space: normal;
       }
-      .left {
-        white-space: nowrap;
+      .device {
+        flex: 1 0 100%;
+        overflow: hidden;
+        text-overflow: ellipsis;
       }
       .steps {
-        flex-basis: 100%;
-        white-space: nowrap;
+        flex: 1;
       }
       @media (forced-colors: active) {
         .bar {
@@ -96,7 +100,7 @@ export class RunPanel extends Part {
           background: Highlight;
         }
       }
-      /* A strip between stage and sheet: one row of buttons, one line of words. */
+      /* A strip between stage and sheet: one row of buttons, two lines of words. */
       @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
         :host {
           display: flex;
@@ -118,14 +122,18 @@ export class RunPanel extends Part {
           flex-grow: 3;
         }
         p {
-          flex-wrap: nowrap;
-          min-height: 18px;
+          min-height: 36px;
           margin: 4px 0;
         }
         .words {
           overflow: hidden;
           text-overflow: ellipsis;
           white-space: nowrap;
+        }
+        /* Too wide to stand beside the words. */
+        .device {
+          flex: 1 1 60%;
+          min-width: 0;
         }
         .steps {
           position: absolute;
@@ -149,7 +157,9 @@ export class RunPanel extends Part {
       <p data-phase=${phase}>
         <span class="words">${this.words()}</span>
         <span class="left">${phase === "running" && progress.secondsLeft !== null ? timeLeft(progress.secondsLeft) : nothing}</span>
+        ${this.device()}
         <span class="steps">${this.steps()}</span>
+        <span class="pace">${phase === "running" && progress.iterationsPerSecond > 0 ? paceOf(progress.iterationsPerSecond) : nothing}</span>
       </p>
     `;
   }
@@ -196,8 +206,16 @@ export class RunPanel extends Part {
   private steps(): string {
     const { phase, progress } = this.state;
     if ((phase !== "running" && phase !== "paused") || progress.iterations === 0) return "";
-    const rate = phase === "running" && progress.iterationsPerSecond > 0 ? `, ${Math.round(progress.iterationsPerSecond)} a second` : "";
-    return `Step ${count(progress.iteration)} of ${count(progress.iterations)}${rate}`;
+    return `Step ${count(progress.iteration)} of ${count(progress.iterations)}`;
+  }
+
+  /** What computes the run, or will; why, for those who stay on it, and in the settings. */
+  private device(): TemplateResult | typeof nothing {
+    const { phase, where } = this.state;
+    const { place, refusal } = where;
+    if (!place) return nothing;
+    const name = deviceOf(place);
+    return html`<span class="device" data-backend=${place.backend} title="${name}. ${refusal || place.why}">${phase === "idle" ? `Will use: ${name}` : name}</span>`;
   }
 
   private readonly draw = (): void => {

@@ -126,7 +126,7 @@ export class SavePanel extends Part {
   async copyLink(): Promise<void> {
     const link = this.studio.link(location.href);
     if (!link) return;
-    history.replaceState(null, "", link);
+    history.replaceState(null, "", new URL(link).hash);
     try {
       await navigator.clipboard.writeText(link);
       this.byHand = "";

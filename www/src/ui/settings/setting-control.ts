@@ -8,7 +8,7 @@ import { controls } from "../shared/shared";
 
 const MOST_SEEDS = 1_000_000;
 
-/** One setting with its words, range and help. Fires `choose` with a possible value. */
+/** One setting with its words, range and help; what is slotted in stands below. Fires `choose` with a possible value. */
 @customElement("setting-control")
 export class SettingControl extends LitElement {
   @property({ attribute: false }) row!: SettingRow;
@@ -30,28 +30,34 @@ export class SettingControl extends LitElement {
         display: flex;
         align-items: center;
         justify-content: space-between;
-        gap: 8px;
+        gap: 4px;
         min-height: 28px;
       }
       .head label {
         min-width: 0;
         overflow-wrap: anywhere;
       }
+      /* Beside the label, never on a line of its own. */
+      .changed label {
+        position: relative;
+        padding-inline-end: 10px;
+      }
       .changed label::after {
         content: "";
-        display: inline-block;
+        position: absolute;
+        inset-block-start: calc(50% - 3px);
+        inset-inline-end: 0;
         width: 6px;
         height: 6px;
-        margin-inline-start: 6px;
         border-radius: 3px;
         background: var(--copper);
-        vertical-align: middle;
       }
       .back {
         flex: none;
         gap: 4px;
         min-height: 28px;
-        padding: 0 6px;
+        padding: 0 4px;
+        padding-inline: 4px 0;
         font-size: 13px;
         color: var(--copper-text);
       }
@@ -134,6 +140,7 @@ export class SettingControl extends LitElement {
       ${isSwitch(row) ? nothing : this.control()}
       ${this.problem ? html`<p class="small problem" id="problem" role="alert">${this.problem}</p>` : nothing}
       <p class="small quiet" id="help">${row.help}</p>
+      <slot></slot>
     `;
   }
 

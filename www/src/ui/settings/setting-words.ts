@@ -13,9 +13,10 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   bend: { label: "Bend the drawings to agree", choices: { none: "Not at all", little: "A little", free: "Freely" } },
 
   seed: { label: "Seed" },
-  backend: { label: "Computed on", choices: { auto: "The best there is", cpu: "Processor", gpu: "Graphics card" } },
   iterations: { label: "Steps", slider: [50, 3000, 50] },
   size: { label: "Picture size", slider: [64, 512, 32] },
+  backend: { label: "Where it is computed", choices: { auto: "Best there is", cpu: "Processor", gpu: "Graphics card" } },
+  when_hidden: { label: "When this tab is hidden", choices: { go: "Keep going", pause: "Pause" } },
 
   form: { label: "Form", choices: { wire: "One smooth wire", chain: "Curves with corners", bag: "Loose curves" } },
   control_points: { label: "Control points", slider: [0, 2000, 10] },

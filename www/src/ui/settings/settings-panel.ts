@@ -1,16 +1,28 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow, SettingsTable, SettingValues } from "../../engine/protocol";
-import type { Studio } from "../../state/studio";
+import { ANYWHERE, INSTEAD, WHEN_HIDDEN, type Studio, type Whereabouts, type WhenHidden } from "../../state/studio";
 import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import "./setting-control";
 import { GROUPS, WORDS } from "./setting-words";
 import { controls } from "../shared/shared";
+import { deviceOf } from "./device-words";
+import { rendererWord } from "../../state/address/renderer";
 
-/** The first two stand beside Run, ink is found pad by pad, and there is one engine to compute on. */
-const ELSEWHERE: readonly string[] = ["preset", "bend", "ink", "backend"];
+/** The first two stand beside Run, and ink is found pad by pad. */
+const ELSEWHERE: readonly string[] = ["preset", "bend", "ink"];
+
+/** The page's own, not the core's. */
+const HIDDEN_ROW: SettingRow = {
+  name: "when_hidden",
+  group: "run",
+  unit: "",
+  help: "A paused run goes on by itself when the tab is back.",
+  kind: "choice",
+  choices: WHEN_HIDDEN,
+};
 
 /** Every setting of the core's table, folded in groups. What is slotted in stands before Expert. */
 @customElement("settings-panel")
@@ -19,6 +31,8 @@ export class SettingsPanel extends Part {
   @property({ attribute: false }) table: SettingsTable | null = null;
   /** What differs from the preset. */
   @property({ attribute: false }) settings: SettingValues = {};
+  @property({ attribute: false }) where: Whereabouts = ANYWHERE;
+  @property() whenHidden: WhenHidden = "go";
   @property({ type: Boolean }) locked = false;
   /** Groups that were opened: the controls of the others are not made yet. */
   @state() private opened: ReadonlySet<string> = new Set();
@@ -47,6 +61,19 @@ export class SettingsPanel extends Part {
         font-size: 13px;
         color: var(--copper-text);
       }
+      .where {
+        margin-block-start: 8px;
+      }
+      .where p {
+        margin: 0;
+        overflow-wrap: anywhere;
+      }
+      .word {
+        white-space: nowrap;
+      }
+      .refusal {
+        color: var(--error);
+      }
     `,
   ];
 
@@ -72,18 +99,47 @@ export class SettingsPanel extends Part {
     return html`<details @toggle=${() => (this.opened = new Set([...this.opened, group]))}>
       <summary>${GROUPS[group]} ${count ? html`<span class="count">${count} changed</span>` : nothing} ${icons.more}</summary>
       <div class="group">
-        ${(this.opened.has(group) ? rows : []).map(
-          (row) => html`<setting-control
-            data-setting=${row.name}
-            .row=${row}
-            .value=${this.studio.value(row.name)}
-            .usual=${this.usual(row.name)}
-            ?locked=${this.locked}
-            @choose=${(event: CustomEvent<string>) => this.studio.set(row.name, event.detail)}
-          ></setting-control>`,
-        )}
+        ${(this.opened.has(group) ? rows : []).map((row) => this.control(row))}
+        ${this.opened.has(group) && group === HIDDEN_ROW.group ? this.hiddenTab() : nothing}
       </div>
     </details>`;
+  }
+
+  private control(row: SettingRow) {
+    const { where } = this;
+    const place = row.name === "backend";
+    const byAddress = place && where.byAddress;
+    return html`<setting-control
+      data-setting=${row.name}
+      .row=${row}
+      .value=${byAddress ? where.asked : this.studio.value(row.name)}
+      .usual=${byAddress ? "" : this.usual(row.name)}
+      ?locked=${this.locked || byAddress}
+      @choose=${(event: CustomEvent<string>) => this.studio.set(row.name, event.detail)}
+      >${place ? this.whereabouts() : nothing}</setting-control
+    >`;
+  }
+
+  /** Which device that comes to, and why. */
+  private whereabouts() {
+    const { asked, byAddress, place, refusal } = this.where;
+    return html`<div class="where small" role="status">
+      ${byAddress ? html`<p class="quiet">For this visit the address decides <span class="word">(${rendererWord(asked)})</span>.</p>` : nothing}
+      ${refusal
+        ? html`<p class="refusal">${refusal} ${INSTEAD}</p>`
+        : place
+          ? html`<p><b>${deviceOf(place)}</b></p><p class="quiet">${place.why}</p>`
+          : html`<p class="quiet">Looking for what there is…</p>`}
+    </div>`;
+  }
+
+  private hiddenTab() {
+    return html`<setting-control
+      data-setting=${HIDDEN_ROW.name}
+      .row=${HIDDEN_ROW}
+      .value=${this.whenHidden}
+      @choose=${(event: CustomEvent<WhenHidden>) => this.studio.setWhenHidden(event.detail)}
+    ></setting-control>`;
   }
 
   private usual(name: string): string {

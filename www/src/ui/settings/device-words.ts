@@ -1,0 +1,17 @@
+/** Where a run is computed, in words. */
+
+import type { Place } from "../../engine/protocol";
+import { count } from "../../view/count";
+import { WORDS } from "./setting-words";
+
+/** "Graphics card · Apple M2"; a processor has no name that says more. */
+export function deviceOf({ backend, device }: Place): string {
+  const kind = WORDS["backend"]!.choices![backend]!;
+  return device && device.toLowerCase() !== kind.toLowerCase() ? `${kind} · ${device}` : kind;
+}
+
+/** "840 steps a second". */
+export function paceOf(iterationsPerSecond: number): string {
+  const rounded = iterationsPerSecond < 10 ? iterationsPerSecond.toFixed(1) : count(Math.round(iterationsPerSecond));
+  return `${rounded} steps a second`;
+}
