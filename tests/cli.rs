@@ -278,6 +278,21 @@ fn a_raster_scene_is_drawn_compared_and_timed() {
     assert!(d_points.len() == 4 && down < 0.0, "the loss falls on the way down to the target: {down}");
     assert_eq!(found["d_radius"].as_array().unwrap().len(), 4);
 
+    // The same on a device, if there is one.
+    let on_device =
+        wire4d(&[&["raster", text(&at("here.json"))], &compare[..], &["--repeat", "1", "--backend", "gpu"]].concat());
+    if on_device.status.success() {
+        assert!(succeeds(&on_device).contains(r#""backend":"gpu""#));
+        let device = json(&grad);
+        let apart = |key: &str| (device[key].as_f64().unwrap() / found[key].as_f64().unwrap() - 1.0).abs();
+        assert!(apart("loss") < 1e-2, "{device} {found}");
+        let moved = device["d_points"][1][1].as_f64().unwrap() / found["d_points"][1][1].as_f64().unwrap();
+        assert!((moved - 1.0).abs() < 0.05, "{device} {found}");
+    } else {
+        let message = String::from_utf8_lossy(&on_device.stderr);
+        assert!(std::env::var_os("WIRE4D_REQUIRE_GPU").is_none() && message.contains("Vulkan"), "{message}");
+    }
+
     draw("lower.json", &compare);
     assert!(json(&grad)["loss"].as_f64().unwrap() < 1e-12, "sibling: nothing to mend");
     refused(&wire4d(&["raster", text(&at("here.json")), "--grad", text(&grad)]), "--grad");

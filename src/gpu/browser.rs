@@ -2,8 +2,12 @@
 
 use super::absence::Absence;
 use js_sys::{Object, Promise, Reflect};
+use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
+
+/// How long a browser may take to find an adapter.
+const PATIENCE_MS: i32 = 15_000;
 
 /// What a browser calls its adapter.
 pub(super) struct BrowserAdapter {
@@ -30,7 +34,8 @@ pub(super) async fn browser_adapter() -> Result<BrowserAdapter, Absence> {
     let options = Object::new();
     let _ = Reflect::set(&options, &"powerPreference".into(), &"high-performance".into());
     let request = get(&gpu, "requestAdapter").unchecked_into::<js_sys::Function>().call1(&gpu, &options);
-    let adapter = JsFuture::from(request.map_err(blocked)?.unchecked_into::<Promise>()).await.map_err(blocked)?;
+    let answers = js_sys::Array::of2(&request.map_err(blocked)?, &silence());
+    let adapter = JsFuture::from(Promise::race(&answers)).await.map_err(blocked)?;
     if !adapter.is_truthy() {
         return Err(Absence::NoAdapter);
     }
@@ -40,6 +45,17 @@ pub(super) async fn browser_adapter() -> Result<BrowserAdapter, Absence> {
     let name = word("description").unwrap_or_else(|| parts.join(" "));
     let is_fallback = [&info, &adapter].iter().any(|of| get(of, "isFallbackAdapter").is_truthy());
     Ok(BrowserAdapter { name, is_fallback })
+}
+
+/// Fails when a browser has had long enough to answer.
+fn silence() -> Promise {
+    Promise::new(&mut |_, reject| {
+        let give_up = Closure::once_into_js(move || {
+            let _ = reject.call1(&JsValue::NULL, &js_sys::Error::new("the browser does not answer"));
+        });
+        let set_timeout = get(&js_sys::global(), "setTimeout").unchecked_into::<js_sys::Function>();
+        let _ = set_timeout.call2(&JsValue::NULL, &give_up, &PATIENCE_MS.into());
+    })
 }
 
 /// A property, or undefined where there is none.

@@ -37,15 +37,12 @@ mod device {
     }
 
     async fn checked(kind: Kind) -> Result<Device, Absence> {
-        let kept = CHECKED.take().filter(|(kept, device)| *kept == kind && device.faultless().is_ok());
-        let device = match kept {
-            Some((_, device)) => device,
-            None => {
-                let device = Device::acquire_async(kind).await?;
-                self_check(&mut GpuEngine::new(&device, "")).await?;
-                device
-            }
-        };
+        let kept = CHECKED.with_borrow(|kept| kept.clone());
+        if let Some((_, device)) = kept.filter(|(kept, device)| *kept == kind && device.faultless().is_ok()) {
+            return Ok(device);
+        }
+        let device = Device::acquire_async(kind).await?;
+        self_check(&mut GpuEngine::new(&device, "")).await?;
         CHECKED.set(Some((kind, device.clone())));
         Ok(device)
     }

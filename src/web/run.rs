@@ -8,6 +8,9 @@ use crate::settings::Settings;
 use crate::tasks::multiview::{self, Plan};
 use wasm_bindgen::prelude::*;
 
+/// Iterations after which the page is asked whether to go on at all.
+const MOST_AT_ONCE: usize = 64;
+
 /// A fit under way.
 #[wasm_bindgen]
 pub struct Run(multiview::Run);
@@ -74,9 +77,15 @@ impl Run {
         Ok(Run(run))
     }
 
-    /// Up to `count` more iterations; what happened, as JSON.
+    /// Up to `count` more iterations; what happened, as JSON. Returns early when the fit moves elsewhere: so many may take
+    /// long there.
     pub async fn step(&mut self, count: usize) -> String {
-        json(&self.0.step_async(count).await)
+        let (end, backend) = (self.iteration() + count, self.0.session().place().backend);
+        let mut events = Vec::new();
+        while self.iteration() < end.min(self.iterations()) && self.0.session().place().backend == backend {
+            events.extend(self.0.step_async(MOST_AT_ONCE.min(end - self.iteration())).await);
+        }
+        json(&events)
     }
 
     /// Where the fit is computed now, and why, as JSON: see [`super::place`].

@@ -36,14 +36,14 @@ export interface Site {
   readonly sent: Sent[];
 }
 
-/** A plain static server that compresses, as any host does; everything lies under `prefix`, and nothing else is there. */
-export async function serveDist(prefix: string): Promise<Site> {
+/** A plain static server that compresses, as any host does; the folder lies under `prefix`, and nothing else is there. */
+export async function serveDist(prefix: string, folder = DIST): Promise<Site> {
   const sent: Sent[] = [];
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname);
     const inside = path.startsWith(prefix) ? normalize(path.slice(prefix.length)) || "index.html" : "..";
     const name = inside.endsWith("/") || inside === "." ? "index.html" : inside;
-    const file = join(DIST, name);
+    const file = join(folder, name);
     if (inside.startsWith("..") || !existsSync(file)) {
       response.writeHead(404).end();
       return;

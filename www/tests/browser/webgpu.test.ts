@@ -8,8 +8,8 @@ import { padsReady } from "./pads";
 
 /** No address of this machine's own, so that what is there is no secure context. */
 const ELSEWHERE = "wire4d.test";
-/** Small and short: SwiftShader computes it. */
-const SMALL_RUN = "#v=1&preset=fast&size=64&iterations=24";
+/** Small: SwiftShader computes it. */
+const small = (iterations: number) => `#v=1&preset=fast&size=32&control_points=40&samples=2&grid=24&iterations=${iterations}`;
 const SWIFTSHADER = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", `--host-resolver-rules=MAP ${ELSEWHERE} 127.0.0.1`];
 /** Keeps the engine's devices at hand. */
 const KEEP_DEVICES = `
@@ -57,7 +57,7 @@ async function loseDevice(page: Page): Promise<void> {
 }
 
 it("runs to the end on the graphics card that the address asks for, and names it", async () => {
-  const { page, faults } = await opened(`${site.url}?renderer=webgpu${SMALL_RUN}`);
+  const { page, faults } = await opened(`${site.url}?renderer=webgpu${small(12)}`);
   expect(await device(page).textContent()).toMatch(/^Will use: Graphics card/);
   await runButton(page).click();
   await phase(page, "running");
@@ -76,7 +76,7 @@ it("runs to the end on the graphics card that the address asks for, and names it
 });
 
 it("does one step at a time on it, pauses and stops", async () => {
-  const { page, faults } = await opened(`${site.url}?renderer=webgpu#v=1&preset=fast&size=64&iterations=5000`);
+  const { page, faults } = await opened(`${site.url}?renderer=webgpu${small(5000)}`);
   const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel p").textContent())!)?.[1] ?? "-1").replaceAll(",", ""));
   await runButton(page).click();
   await phase(page, "running");
@@ -96,7 +96,7 @@ it("does one step at a time on it, pauses and stops", async () => {
 });
 
 it("prefers the processor to a card that is none, and says why", async () => {
-  const { page, faults } = await opened(site.url + SMALL_RUN);
+  const { page, faults } = await opened(site.url + small(1000));
   expect(await device(page).textContent()).toBe("Will use: Processor");
   const setting = await runSettings(page);
   const why = (await setting.locator(".where p").last().textContent())!;
@@ -111,7 +111,7 @@ it("prefers the processor to a card that is none, and says why", async () => {
 });
 
 it("comes to its end where the device is lost on the way, once and again", async () => {
-  const { page } = await opened(`${site.url}?renderer=webgpu#v=1&preset=fast&size=64&iterations=3000`, { inEngine: KEEP_DEVICES });
+  const { page } = await opened(`${site.url}?renderer=webgpu${small(3000)}`, { inEngine: KEEP_DEVICES });
   await runButton(page).click();
   await phase(page, "running");
   await expect.poll(() => page.locator("run-panel p").textContent(), { timeout: 60_000 }).toMatch(/Step /);
@@ -142,7 +142,7 @@ describe("without a card to compute on", () => {
   for (const [name, { options, insecure, words }] of Object.entries(CASES)) {
     it(`has a sentence of its own and works: ${name}`, async () => {
       const base = insecure ? site.url.replace("127.0.0.1", ELSEWHERE) : site.url;
-      const { page } = await opened(`${base}?renderer=webgpu${SMALL_RUN}`, options);
+      const { page } = await opened(`${base}?renderer=webgpu${small(300)}`, options);
       expect(await device(page).textContent()).toBe("Will use: Processor");
       const setting = await runSettings(page);
       const refusal = (await setting.locator(".refusal").textContent())!;
