@@ -53,10 +53,11 @@ struct View {
     rows: u32,
     levels: u32,
     weight: f32,
-    /// Its partial sums of the loss.
+    /// Its loss among the partial sums, and that it is one.
     first_partial: u32,
     partials: u32,
-    padding: u32,
+    /// Levels made a pass each. A single workgroup makes the coarser ones.
+    fine_levels: u32,
 }
 
 struct Scene {

@@ -51,7 +51,7 @@ pub struct View {
     pub weight: f32,
     pub first_partial: u32,
     pub partials: u32,
-    pub padding: u32,
+    pub fine_levels: u32,
 }
 
 /// Counts, regular polygons and views.
@@ -128,7 +128,7 @@ layouts! {
     }
     View {
         right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,
-        rows, levels, weight, first_partial, partials, padding,
+        rows, levels, weight, first_partial, partials, fine_levels,
     }
     Scene { points, samples, views, spans, pixels, cells, entries, gaussian, rings, view }
     Row { first, weights }

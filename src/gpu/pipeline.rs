@@ -186,6 +186,7 @@ impl Loaded {
             Over::Samples => dispatch(samples.div_ceil(GROUP), 1, 0),
             Over::SamplesAndViews(threads) => dispatch((samples * threads as usize).div_ceil(GROUP), views, 0),
             Over::Nodes => dispatch(samples, views, 0),
+            Over::Views => dispatch(1, views, 0),
             Over::Rows => dispatch(self.most_rows(), views, 0),
             Over::Borders => dispatch(self.most_rows().div_ceil(8).div_ceil(GROUP), views, 0),
             Over::Once => dispatch(1, 1, 0),

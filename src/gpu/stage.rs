@@ -76,7 +76,9 @@ pub(super) enum Over {
     Samples,
     /// So many threads a sample and view.
     SamplesAndViews(u32),
-    /// Threads over the pixels of a level and views: a pass a level, the finest first or last.
+    /// A workgroup a view.
+    Views,
+    /// Threads over the pixels of a fine level and views: a pass a level, the finest first or last.
     Levels { finest_first: bool },
     /// A workgroup a sample and view.
     Nodes,
@@ -198,6 +200,12 @@ pub const STAGES: &[Stage] = &[
             Slot::Partials,
         ],
         over: Over::Levels { finest_first: true },
+    },
+    Stage {
+        name: "compare_coarse",
+        texts: &[LAYOUT, text!("mse")],
+        slots: &[Slot::Step, Slot::Scene, Slot::Levels, Slot::Pyramid, Slot::Partials],
+        over: Over::Views,
     },
     Stage {
         name: "compare_vjp",

@@ -14,6 +14,8 @@ const NONE: u32 = u32::MAX;
 const ENTRIES_A_POLYGON: usize = 6;
 /// Values a workgroup of the loss sums up.
 pub(super) const LOSS_GROUP: usize = 256;
+/// The largest level of a pyramid that is left to a single workgroup: 64 x 64 take it about as long as a pass more.
+const COARSE: usize = 4096;
 
 /// What shaders know of a scene, and how much room its buffers take.
 pub(super) struct Upload {
@@ -28,7 +30,7 @@ pub(super) struct Upload {
     pub pyramid: usize,
     pub partials: usize,
     pub rows: usize,
-    /// The most levels of any view.
+    /// The most levels of any view that take a pass each.
     pub depth: usize,
 }
 
@@ -121,11 +123,13 @@ impl Upload {
             cells += columns * cell_rows;
         }
         // Level 0 of all views first, so that it is indexed as their pictures are.
-        let (mut offset, mut partials, mut depth) = (pixels, 0, 0);
+        let (mut offset, mut partials, mut depth) = (pixels, count, 0);
         for (v, view) in from.views.iter().enumerate() {
             let sizes = level_sizes(view.target.width, view.target.height);
+            let fine = sizes.iter().skip(1).take_while(|(width, height)| width * height > COARSE).count() + 1;
             let packed = &mut scene.view[v];
-            (packed.levels, packed.first_partial) = (sizes.len() as u32, partials as u32);
+            (packed.levels, packed.fine_levels) = (sizes.len() as u32, fine as u32);
+            (packed.first_partial, packed.partials) = (v as u32, 1);
             for (l, &(width, height)) in sizes.iter().enumerate() {
                 let at = if l == 0 { packed.first_pixel as usize } else { offset };
                 levels[v * MOST_LEVELS + l] = Level {
@@ -135,10 +139,9 @@ impl Upload {
                     first_partial: partials as u32,
                 };
                 offset += if l == 0 { 0 } else { width * height };
-                partials += (width * height).div_ceil(LOSS_GROUP);
+                partials += if l < fine { (width * height).div_ceil(LOSS_GROUP) } else { 0 };
             }
-            packed.partials = partials as u32 - packed.first_partial;
-            depth = depth.max(sizes.len());
+            depth = depth.max(fine);
         }
         let samples = from.sampling.rows().len();
         // The widest dispatch has a workgroup a sample.
