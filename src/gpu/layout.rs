@@ -71,9 +71,9 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Numbers in the `cells` buffer before its lists: a count of entries, one of large polygons a view, a head a cell.
+    /// Numbers in the `cells` buffer before its lists: how long those get, and a head a cell.
     pub fn cells_head(&self) -> usize {
-        1 + MOST_VIEWS + self.cells as usize
+        1 + 2 * MOST_VIEWS + self.cells as usize
     }
 }
 

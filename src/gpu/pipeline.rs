@@ -2,7 +2,7 @@
 
 use super::buffers::{Buffers, UNIFORM_STRIDE};
 use super::device::Device;
-use super::stage::{Access, Over, STAGES, Slot, Stage};
+use super::stage::{Access, Over, STAGES, Slot, Stage, outline_groups};
 use super::upload::{LOSS_GROUP, Upload, pack};
 use crate::Result;
 use crate::optimize::{Scene, Step};
@@ -145,16 +145,13 @@ impl Pipeline {
         loaded.buffers.write(&self.device, Slot::Step, 0, &packed);
         let (first, last) = (Stage::index(first), Stage::index(last));
         let mut encoder = self.device.device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_compute_pass(&Default::default());
         for i in 0..steps.len() {
-            if (first..=last).contains(&Stage::index("fill_cells")) {
-                let heads = 4 * loaded.upload.scene.cells_head() as u64;
-                encoder.clear_buffer(loaded.buffers.get(Slot::Cells), 0, Some(heads));
-            }
-            let mut pass = encoder.begin_compute_pass(&Default::default());
             for index in first..=last {
                 loaded.dispatch(&mut pass, index, &self.stages[index], i);
             }
         }
+        drop(pass);
         self.device.queue.submit([encoder.finish()]);
         Ok(())
     }
@@ -185,10 +182,13 @@ impl Loaded {
             Over::Points => dispatch(points.div_ceil(GROUP), 1, 0),
             Over::Samples => dispatch(samples.div_ceil(GROUP), 1, 0),
             Over::SamplesAndViews(threads) => dispatch((samples * threads as usize).div_ceil(GROUP), views, 0),
-            Over::Nodes => dispatch(samples, views, 0),
+            Over::EachPoint => dispatch(points, 1, 0),
+            Over::Outline { border } => {
+                let rows = if border { self.most_rows() } else { 0 };
+                dispatch(outline_groups(samples, rows), views, 0);
+            }
             Over::Views => dispatch(1, views, 0),
             Over::Rows => dispatch(self.most_rows(), views, 0),
-            Over::Borders => dispatch(self.most_rows().div_ceil(8).div_ceil(GROUP), views, 0),
             Over::Once => dispatch(1, 1, 0),
             Over::Levels { finest_first } => {
                 for pass in 0..self.upload.depth {

@@ -2,6 +2,7 @@
 
 use super::device::Device;
 use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
+use super::stage::{NODES, outline_groups};
 use crate::objective::{Pyramid, level_sizes};
 use crate::optimize::{Scene, Step};
 use crate::raster::{CELL_PX, rings};
@@ -144,9 +145,12 @@ impl Upload {
             depth = depth.max(fine);
         }
         let samples = from.sampling.rows().len();
-        // The widest dispatch has a workgroup a sample.
-        if samples > most_groups {
-            return Err(refuse("samples", samples, most_groups));
+        // The widest dispatches: the outline's, and a workgroup a control point.
+        if outline_groups(samples, rows) > most_groups {
+            return Err(refuse("samples", samples, most_groups / outline_groups(NODES, 0) * NODES));
+        }
+        if from.sampling.columns() > most_groups {
+            return Err(refuse("control points", from.sampling.columns(), most_groups));
         }
         let mut circles: Vec<[f32; 2]> = Vec::new();
         for (packed, ring) in scene.rings.iter_mut().zip(rings()) {
