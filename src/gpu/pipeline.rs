@@ -2,7 +2,7 @@
 
 use super::buffers::{Buffers, UNIFORM_STRIDE};
 use super::device::Device;
-use super::stage::{Access, Over, STAGES, Slot, Stage, outline_groups};
+use super::stage::{Access, Over, SLOTS, STAGES, Slot, Stage, outline_groups};
 use super::upload::{LOSS_GROUP, Upload, pack};
 use crate::Result;
 use crate::optimize::{Scene, Step};
@@ -59,6 +59,12 @@ impl Pipeline {
     /// How many cell entries there is room for.
     pub fn room(&self) -> usize {
         self.loaded.as_ref().map_or(0, |loaded| loaded.upload.scene.entries as usize)
+    }
+
+    /// Bytes of each buffer; none without a scene.
+    pub fn memory(&self) -> Vec<(Slot, u64)> {
+        let sizes = |loaded: &Loaded| SLOTS.iter().map(|&slot| (slot, loaded.buffers.get(slot).size())).collect();
+        self.loaded.as_ref().map(sizes).unwrap_or_default()
     }
 
     /// Makes new buffers for the scene, with room for `entries` cell entries. What was computed is lost.
