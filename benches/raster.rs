@@ -1,7 +1,8 @@
 //! The rasteriser's speed: stored Bézier scenes with DiffVG's figures, and wires as a fit meets them.
 //!
 //! `cargo bench --bench raster` prints medians; `-- doubled` only the cases with that word in their name; `-- sweep`
-//! instead draws thousands of adversarial wires and compares them with a sampled union.
+//! instead draws thousands of adversarial wires and compares them with a sampled union. `-- card` instead takes an
+//! iteration on a graphics card to pieces, stage by stage; with `--quick` as well only that of the smallest scene.
 
 use std::time::Instant;
 use wire4d::raster::flatten::{FlatStroke, Subdivision};
@@ -9,6 +10,11 @@ use wire4d::raster::{BandRaster, ExactRaster, Raster, sampled_union};
 use wire4d::rng::Rng;
 use wire4d::wire::Stroke;
 
+#[cfg(feature = "gpu")]
+mod card;
+#[cfg(feature = "gpu")]
+#[path = "../tests/optimize_common/mod.rs"]
+mod common;
 #[path = "../tests/raster_wires/mod.rs"]
 mod raster_wires;
 
@@ -17,8 +23,13 @@ const SCENES: [(&str, f64, f64); 3] =
     [("n100_s128_x1", 13.0, 55.0), ("n220_s256_x1", 67.0, 275.0), ("n100_s512_x1", 201.0, 875.0)];
 
 fn main() {
-    if std::env::args().any(|argument| argument == "sweep") {
+    let asked = |word: &str| std::env::args().any(|argument| argument == word);
+    if asked("sweep") {
         return sweep();
+    }
+    #[cfg(feature = "gpu")]
+    if asked("card") {
+        return by_stage();
     }
     for threads in [1, 2] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -27,6 +38,14 @@ fn main() {
             bezier_scenes();
             fits();
         });
+    }
+}
+
+#[cfg(feature = "gpu")]
+fn by_stage() {
+    let Some((device, cases)) = card::wanted() else { return };
+    for case in cases {
+        card::Loaded::new(&device, case).print_stages(case);
     }
 }
 

@@ -1,9 +1,13 @@
-//! Milliseconds an iteration of a fit: three views at 128 px, everything included. `cargo bench --bench step`.
+//! Milliseconds an iteration of a fit, everything included: three views at 128 px on the processor, then several sizes on
+//! a graphics card as well, if there is one. `cargo bench --bench step`; `-- card` only the latter, `-- card --quick` only
+//! its smallest size, for a program that stands in for a card (`WIRE4D_SOFTWARE_GPU`).
 
 use std::time::Instant;
 use wire4d::objective::{MultiscaleMse, Pyramid};
 use wire4d::optimize::{Bending, Problem, RasterKind, Recipe, Session, Stage};
 
+#[cfg(feature = "gpu")]
+mod card;
 #[path = "../tests/optimize_common/mod.rs"]
 mod common;
 
@@ -12,6 +16,41 @@ const WIRES: [(usize, usize, f64); 2] = [(220, 8, 1.5), (1000, 3, 3.0)];
 const ITERATIONS: usize = 150;
 
 fn main() {
+    if std::env::args().all(|argument| argument != "card") {
+        on_processor();
+    }
+    #[cfg(feature = "gpu")]
+    on_card();
+}
+
+/// Whole iterations: on the card, on the processor, and how long the processor takes to tell the card what to do.
+#[cfg(feature = "gpu")]
+fn on_card() {
+    let Some((device, cases)) = card::wanted() else { return };
+    let threads = rayon::current_num_threads();
+    println!("\nMilliseconds an iteration, median (least).\n");
+    println!(
+        "| control points x samples | card | aim | recording | processor, {threads} threads | times faster | loss, gradient off | MB | largest buffer |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for case in cases {
+        let loaded = card::Loaded::new(&device, case);
+        let (on_card, recording) = loaded.time_all();
+        let on_processor = loaded.time_on_processor();
+        let (loss, gradient) = loaded.differences();
+        let (bytes, (largest, most)) = loaded.memory();
+        println!(
+            "| {case} | {on_card} | {} | {:.3} | {on_processor} | {:.2} | {loss:.0e}, {gradient:.0e} | {:.1} | {largest:?} {:.1} |",
+            case.aim_ms.map_or("–".into(), |aim| aim.to_string()),
+            recording.median,
+            on_processor.median / on_card.median,
+            bytes as f64 / 1e6,
+            most as f64 / 1e6,
+        );
+    }
+}
+
+fn on_processor() {
     println!("| control points x samples | raster | bending | threads | ms an iteration, median (least) | bar |");
     println!("|---|---|---|---|---|---|");
     for (controls, samples_per_span, bar) in WIRES {

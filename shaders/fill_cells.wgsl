@@ -1,6 +1,9 @@
-fn picture_of(view: u32) -> vec4f {
-    return vec4f(0.0, 0.0, -f32(scene.view[view].width), -f32(scene.view[view].height));
-}
+// Filling the lists. Entries are taken from a common pool, a workgroup's at once: all views count up the same number.
+
+const NO_CELLS: vec4u = vec4u(1u, 0u, 1u, 0u);
+
+var<workgroup> wanted: atomic<u32>;
+var<workgroup> first_entry: u32;
 
 fn cell_count(range: vec4u) -> u32 {
     return (range.y - range.x + 1u) * (range.w - range.z + 1u);
@@ -11,15 +14,15 @@ fn add_large(view: u32, order: u32) {
     atomicStore(&cells[first_large(view) + at], order);
 }
 
-fn add_to_cells(view: u32, order: u32, range: vec4u) {
+fn add_to_cells(view: u32, order: u32, range: vec4u, before: u32) {
+    var entry = before;
     for (var y = range.z; y <= range.w; y++) {
         for (var x = range.x; x <= range.y; x++) {
-            let entry = atomicAdd(&cells[0], 1u) + 1u;
+            entry++;
             // The processor sees how many were wanted, makes room and starts again.
             if entry <= scene.entries {
-                let head = HEADS + scene.view[view].first_cell + y * scene.view[view].columns + x;
                 atomicStore(&cells[entry_at(entry)], order);
-                atomicStore(&cells[entry_at(entry) + 1u], atomicExchange(&cells[head], entry));
+                atomicStore(&cells[entry_at(entry) + 1u], atomicExchange(&cells[head_at(view, x, y)], entry));
             }
         }
     }
@@ -58,31 +61,41 @@ fn add_in_parts(view: u32, order: u32, bounds: vec4f) {
                 add_large(view, order);
                 return;
             }
-            add_to_cells(view, order, range);
+            add_to_cells(view, order, range, atomicAdd(&cells[0], cell_count(range)));
         }
     }
 }
 
-/// One thread a polygon and view.
-@compute @workgroup_size(64)
-fn fill_cells(@builtin(global_invocation_id) id: vec3u) {
-    let order = id.x;
-    if order >= 2u * scene.samples {
-        return;
+/// Enters what is large or long; of the rest gives the cells to enter it in.
+fn cells_left(view: u32, order: u32) -> vec4u {
+    if order >= 2u * scene.samples || !is_shown(view, order) {
+        return NO_CELLS;
     }
-    let view = id.y;
+    if order % 2u == 0u {
+        let at = atomicAdd(&cells[SHOWN_COUNTS + view], 1u);
+        atomicStore(&cells[first_shown(view) + at], order / 2u);
+    }
     let bounds = box_of(view, order);
-    if !boxes_touch(bounds, picture_of(view)) {
-        return;
-    }
     if is_long(bounds) && order % 2u == 1u {
         add_in_parts(view, order, bounds);
-        return;
+        return NO_CELLS;
     }
     let range = cells_of(view, bounds);
     if cell_count(range) > MOST_CELLS {
         add_large(view, order);
-    } else {
-        add_to_cells(view, order, range);
+        return NO_CELLS;
     }
+    return range;
+}
+
+/// One thread a polygon and view.
+@compute @workgroup_size(64)
+fn fill_cells(@builtin(global_invocation_id) id: vec3u, @builtin(local_invocation_index) local: u32) {
+    let range = cells_left(id.y, id.x);
+    let before = atomicAdd(&wanted, cell_count(range));
+    workgroupBarrier();
+    if local == 0u {
+        first_entry = atomicAdd(&cells[0], atomicLoad(&wanted));
+    }
+    add_to_cells(id.y, id.x, range, workgroupUniformLoad(&first_entry) + before);
 }

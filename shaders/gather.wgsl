@@ -5,13 +5,13 @@ fn gather_pulls(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let first = id.y * scene.samples;
-    var sum = vec4f();
+    var sum = d_pieces[3u * (first + id.x)];
     let previous = joints[first + id.x].previous;
-    for (var edge = 0u; edge < 4u; edge++) {
-        sum += d_pieces[9u * (first + id.x) + 2u * edge];
-        if previous != NONE {
-            sum += d_pieces[9u * (first + previous) + 2u * edge + 1u];
-        }
+    if previous != NONE {
+        sum += d_pieces[3u * (first + previous) + 1u];
     }
-    d_vertices[first + id.x] = sum + d_pieces[9u * (first + id.x) + 8u];
+    if is_shown(id.y, 2u * id.x) {
+        sum += d_pieces[3u * (first + id.x) + 2u];
+    }
+    d_vertices[first + id.x] = sum;
 }

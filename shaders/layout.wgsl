@@ -57,10 +57,11 @@ struct View {
     rows: u32,
     levels: u32,
     weight: f32,
-    /// Its partial sums of the loss.
+    /// Its loss among the partial sums, and that it is one.
     first_partial: u32,
     partials: u32,
-    padding: u32,
+    /// Levels made a pass each. A single workgroup makes the coarser ones.
+    fine_levels: u32,
 }
 
 struct Scene {
@@ -166,13 +167,17 @@ struct Shape {
 @group(0) @binding(19) var<storage, read_write> shapes: array<Shape>;
 /// See cells.wgsl.
 @group(0) @binding(20) var<storage, read_write> cells: array<atomic<u32>>;
+/// The same to those that come after and only read: atomic reads would pass caches by.
+@group(0) @binding(20) var<storage, read_write> filled: array<u32>;
 /// Area sums of all pixels, then what is visible of the left border, row by row.
 @group(0) @binding(21) var<storage, read_write> sums: array<atomic<i32>>;
+/// The same once they are complete.
+@group(0) @binding(21) var<storage, read_write> summed: array<i32>;
 @group(0) @binding(22) var<storage, read_write> coverage: array<f32>;
 /// Level 0 of all views, then the coarser ones: first the difference, then the gradient.
 @group(0) @binding(23) var<storage, read_write> pyramid: array<f32>;
 @group(0) @binding(24) var<storage, read_write> partials: array<f32>;
-/// Nine entries a node: adjoint of start and end disc by its four straight edges, and by its polygon.
+/// Three entries a node: adjoint of its piece's start and end disc by the straight edges, and of itself by its polygon.
 @group(0) @binding(25) var<storage, read_write> d_pieces: array<vec4f>;
 @group(0) @binding(26) var<storage, read_write> d_vertices: array<vec4f>;
 @group(0) @binding(27) var<storage, read_write> d_samples: array<vec4f>;
@@ -180,3 +185,6 @@ struct Shape {
 @group(0) @binding(29) var<storage, read_write> d_points: array<vec4f>;
 /// A row an iteration: total, views, jerk, length, and how many cell entries were wanted.
 @group(0) @binding(30) var<storage, read_write> terms: array<f32>;
+/// Four entries a node: the visible interval of each straight edge, from and to 0 if there is none, from 1 to 0 if there
+/// are several.
+@group(0) @binding(31) var<storage, read_write> visible: array<vec2f>;

@@ -1,4 +1,5 @@
-// The multi-scale loss and its gradient, a level a pass, all views at once. Twin of src/objective/mmse.rs.
+// The multi-scale loss and its gradient, all views at once. Twin of src/objective/mmse.rs. The fine levels take a pass
+// each, down and up; between the two a workgroup a view goes down and up the coarse ones, where threads are few anyway.
 
 const GROUP: u32 = 256u;
 
@@ -83,7 +84,29 @@ fn finer(coarse: Level, fine: Level, x: u32, y: u32) -> f32 {
     return sum;
 }
 
-/// Makes one level of differences; each workgroup sums up its share of the loss, as a tree of fixed shape.
+/// Adds `squares` up into the first, as a tree of fixed shape.
+fn add_squares(local: u32) {
+    workgroupBarrier();
+    for (var half = GROUP / 2u; half > 0u; half /= 2u) {
+        if local < half {
+            squares[local] += squares[local + half];
+        }
+        workgroupBarrier();
+    }
+}
+
+/// Turns the difference at index `i` of a level into the gradient; coarser levels must have been turned before.
+fn turn(view: u32, l: u32, i: u32) {
+    let level = levels[view * MOST_LEVELS + l];
+    var value = 2.0 * share(view, l) * pyramid[level.offset + i];
+    if l + 1u < scene.view[view].levels {
+        let coarse = levels[view * MOST_LEVELS + l + 1u];
+        value += finer(coarse, level, i % level.width, i / level.width);
+    }
+    pyramid[level.offset + i] = value;
+}
+
+/// Makes a fine level of differences; each workgroup sums up its share of the loss.
 @compute @workgroup_size(256)
 fn compare(
     @builtin(global_invocation_id) id: vec3u,
@@ -92,7 +115,7 @@ fn compare(
 ) {
     let view = group.y;
     let l = pyramid_pass.level;
-    if l >= scene.view[view].levels {
+    if l >= scene.view[view].fine_levels {
         return;
     }
     let level = levels[view * MOST_LEVELS + l];
@@ -109,34 +132,55 @@ fn compare(
         pyramid[level.offset + id.x] = value;
     }
     squares[local] = value * value;
-    workgroupBarrier();
-    for (var half = GROUP / 2u; half > 0u; half /= 2u) {
-        if local < half {
-            squares[local] += squares[local + half];
-        }
-        workgroupBarrier();
-    }
+    add_squares(local);
     if local == 0u {
         partials[level.first_partial + group.x] = share(view, l) * squares[0];
     }
 }
 
-/// Turns one level of differences into the gradient; coarser levels must have been turned before.
+/// The coarse levels of a view, and its loss: one workgroup.
+@compute @workgroup_size(256)
+fn compare_coarse(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let view = group.y;
+    let first = scene.view[view].fine_levels;
+    let finest = levels[view * MOST_LEVELS];
+    let last = levels[view * MOST_LEVELS + first - 1u];
+    let end = last.first_partial + (last.width * last.height + GROUP - 1u) / GROUP;
+    var loss = 0.0;
+    for (var i = finest.first_partial + local; i < end; i += GROUP) {
+        loss += partials[i];
+    }
+    for (var l = first; l < scene.view[view].levels; l++) {
+        let level = levels[view * MOST_LEVELS + l];
+        let weight = share(view, l);
+        for (var i = local; i < level.width * level.height; i += GROUP) {
+            let value = coarser(levels[view * MOST_LEVELS + l - 1u], i % level.width, i / level.width);
+            pyramid[level.offset + i] = value;
+            loss += weight * value * value;
+        }
+        storageBarrier();
+    }
+    squares[local] = loss;
+    add_squares(local);
+    if local == 0u {
+        partials[scene.view[view].first_partial] = squares[0];
+    }
+    for (var l = scene.view[view].levels; l > first; l--) {
+        let level = levels[view * MOST_LEVELS + l - 1u];
+        for (var i = local; i < level.width * level.height; i += GROUP) {
+            turn(view, l - 1u, i);
+        }
+        storageBarrier();
+    }
+}
+
+/// Turns a fine level.
 @compute @workgroup_size(256)
 fn compare_vjp(@builtin(global_invocation_id) id: vec3u) {
     let view = id.y;
     let l = pyramid_pass.level;
-    if l >= scene.view[view].levels {
-        return;
-    }
     let level = levels[view * MOST_LEVELS + l];
-    if id.x >= level.width * level.height {
-        return;
+    if l < scene.view[view].fine_levels && id.x < level.width * level.height {
+        turn(view, l, id.x);
     }
-    var value = 2.0 * share(view, l) * pyramid[level.offset + id.x];
-    if l + 1u < scene.view[view].levels {
-        let coarse = levels[view * MOST_LEVELS + l + 1u];
-        value += finer(coarse, level, id.x % level.width, id.x / level.width);
-    }
-    pyramid[level.offset + id.x] = value;
 }

@@ -25,6 +25,26 @@ var<private> hidden_count: u32;
 /// Nothing is known of hidden intervals that begin from here on.
 var<private> horizon: f32;
 
+/// The stretch in hand, as parameters of its edge.
+var<private> stretch: vec2f;
+/// What of the edge was visible so far, as long as that is one interval; nothing at first.
+var<private> seen: vec2f;
+/// In place of several intervals.
+const SEVERAL: vec2f = vec2f(1.0, 0.0);
+
+/// Adds to what was seen an interval of the stretch in hand.
+fn see(low: f32, high: f32) {
+    let begin = mix(stretch.x, stretch.y, low);
+    let to = mix(stretch.x, stretch.y, high);
+    if seen.x == seen.y {
+        seen = vec2f(begin, to);
+    } else if seen.x < seen.y && abs(begin - seen.y) < SHORTEST_VISIBLE {
+        seen.y = to;
+    } else {
+        seen = SEVERAL;
+    }
+}
+
 /// Adds an interval to those in hand, which stay apart by more than what counts as visible. True if it covers all.
 fn cover(begin: f32, to: f32) -> bool {
     var low = begin;
@@ -87,10 +107,10 @@ fn collect_hidden(view: u32, edge: Edge, skip: vec3u, reached: f32) -> bool {
     let range = cells_of(view, query);
     for (var y = range.z; y <= range.w; y++) {
         for (var x = range.x; x <= range.y; x++) {
-            var entry = atomicLoad(&cells[HEADS + scene.view[view].first_cell + y * scene.view[view].columns + x]);
+            var entry = filled[head_at(view, x, y)];
             while entry != 0u {
-                let order = atomicLoad(&cells[entry_at(entry)]);
-                entry = atomicLoad(&cells[entry_at(entry) + 1u]);
+                let order = filled[entry_at(entry)];
+                entry = filled[entry_at(entry) + 1u];
                 let bounds = box_of(view, order);
                 if any(vec3u(order) == skip) || !boxes_touch(bounds, query) {
                     continue;
@@ -107,9 +127,9 @@ fn collect_hidden(view: u32, edge: Edge, skip: vec3u, reached: f32) -> bool {
             }
         }
     }
-    let large = atomicLoad(&cells[LARGE_COUNTS + view]);
+    let large = filled[LARGE_COUNTS + view];
     for (var i = 0u; i < large; i++) {
-        let order = atomicLoad(&cells[first_large(view) + i]);
+        let order = filled[first_large(view) + i];
         if all(vec3u(order) != skip) && boxes_touch(box_of(view, order), query)
             && cover_by(view, order, edge, reached) {
             return true;
@@ -152,6 +172,7 @@ fn trace_part(view: u32, edge: Edge, skip: vec3u, u: vec2f) {
 }
 
 fn walk_visible(view: u32, edge: Edge, low: f32, high: f32, u: vec2f) {
+    see(low, high);
     let size = vec2f(f32(scene.view[view].width), f32(scene.view[view].height));
     let seen = part_of(edge, low, high);
     let start = clamp(seen.start, vec2f(), size);
@@ -174,6 +195,7 @@ fn trace_edge(view: u32, moving: Moving) {
         let low = inside.x + (inside.y - inside.x) * (i / parts);
         let high = inside.x + (inside.y - inside.x) * ((i + 1.0) / parts);
         let u = vec2f(mix(moving.u.x, moving.u.y, low), mix(moving.u.x, moving.u.y, high));
+        stretch = vec2f(low, high);
         trace_part(view, part_of(edge, low, high), moving.skip, u);
     }
 }
@@ -183,7 +205,7 @@ fn trace_edge(view: u32, moving: Moving) {
 fn straight_edge(view: u32, k: u32, which: u32) -> Moving {
     var moving = Moving();
     let first = view * scene.samples;
-    if shapes[first + k].has_sides == 0u {
+    if k >= scene.samples || shapes[first + k].has_sides == 0u {
         return moving;
     }
     let next = joints[first + k].next;
@@ -233,6 +255,32 @@ fn straight_edge(view: u32, k: u32, which: u32) -> Moving {
     moving.u = vec2f(select(0.0, 1.0, at_end));
     moving.exists = true;
     return moving;
+}
+
+/// Nodes whose straight edges a workgroup of 64 threads traces: first one side of each, then the other, then the end
+/// lines, few of which exist. So threads that have nothing to do stand together.
+const NODES: u32 = 16u;
+
+fn straight_groups() -> u32 {
+    return (scene.samples + NODES - 1u) / NODES;
+}
+
+fn node_of(group: u32, local: u32) -> u32 {
+    return group * NODES + local % NODES;
+}
+
+fn edge_of(local: u32) -> u32 {
+    return local / NODES;
+}
+
+/// Workgroups that share the polygons a view shows, two at a time, 32 threads each.
+fn polygon_groups() -> u32 {
+    return (scene.samples + 7u) / 8u;
+}
+
+/// A thread's first among the polygons a view shows.
+fn first_polygon(group: u32, local: u32) -> u32 {
+    return 2u * (group - straight_groups()) + local / 32u;
 }
 
 /// How many sides the polygon round a node has.

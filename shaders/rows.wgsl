@@ -54,19 +54,18 @@ fn is_clear(view: u32, x: u32, y: u32) -> bool {
     let range = cells_of(view, query);
     for (var row = range.z; row <= range.w; row++) {
         for (var column = range.x; column <= range.y; column++) {
-            let head = HEADS + scene.view[view].first_cell + row * scene.view[view].columns + column;
-            var entry = atomicLoad(&cells[head]);
+            var entry = filled[head_at(view, column, row)];
             while entry != 0u {
-                if boxes_touch(box_of(view, atomicLoad(&cells[entry_at(entry)])), query) {
+                if boxes_touch(box_of(view, filled[entry_at(entry)]), query) {
                     return false;
                 }
-                entry = atomicLoad(&cells[entry_at(entry) + 1u]);
+                entry = filled[entry_at(entry) + 1u];
             }
         }
     }
-    let large = atomicLoad(&cells[LARGE_COUNTS + view]);
+    let large = filled[LARGE_COUNTS + view];
     for (var i = 0u; i < large; i++) {
-        if boxes_touch(box_of(view, atomicLoad(&cells[first_large(view) + i])), query) {
+        if boxes_touch(box_of(view, filled[first_large(view) + i]), query) {
             return false;
         }
     }
@@ -89,7 +88,7 @@ fn finish_rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
     let to = min(begin + chunk, width);
     var own = Running(0, 0, 0u);
     for (var x = begin; x < to; x++) {
-        own = then(own, of_pixel(atomicLoad(&sums[first + x])));
+        own = then(own, of_pixel(summed[first + x]));
     }
     scan[local] = own;
     if local == 0u {
@@ -106,14 +105,14 @@ fn finish_rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
         workgroupBarrier();
     }
     // What of the border is not visible is covered.
-    var running = UNIT - atomicLoad(&sums[border]);
+    var running = UNIT - summed[border];
     if local > 0u {
         running = apply(scan[local - 1u], running);
     }
     for (var x = begin; x < to; x++) {
-        running = apply(of_pixel(atomicLoad(&sums[first + x])), running);
+        running = apply(of_pixel(summed[first + x]), running);
         coverage[first + x] = shade(running);
-        atomicStore(&sums[first + x], 0);
+        summed[first + x] = 0;
     }
     // Where rounding loses a whole edge among many that nearly coincide, the row's sum stays whole behind it.
     if begin < to && to == width && coverage[first + width - 1u] >= 1.0 && is_clear(view, width - 1u, row) {
@@ -121,7 +120,7 @@ fn finish_rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
     }
     workgroupBarrier();
     if local == 0u {
-        atomicStore(&sums[border], 0);
+        summed[border] = 0;
     }
     if leaks == 1u {
         for (var x = begin; x < to; x++) {

@@ -14,21 +14,35 @@ fn sample(@builtin(global_invocation_id) id: vec3u) {
     samples[id.x] = sum;
 }
 
-/// One thread a control point, its samples in fixed order; the length pulls along the same way.
-@compute @workgroup_size(64)
-fn sample_transpose(@builtin(global_invocation_id) id: vec3u) {
-    if id.x >= scene.points {
-        return;
-    }
+const GROUP: u32 = 32u;
+
+var<workgroup> images: array<vec4f, GROUP>;
+var<workgroup> pulls: array<vec3f, GROUP>;
+
+/// A workgroup a control point, its samples added up as a tree of fixed shape; the length pulls along the same way.
+@compute @workgroup_size(32)
+fn sample_transpose(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
     var image = vec4f();
     var pull = vec3f();
-    for (var i = sampling_starts[id.x]; i < sampling_starts[id.x + 1u]; i++) {
+    for (var i = sampling_starts[group.x] + local; i < sampling_starts[group.x + 1u]; i += GROUP) {
         let term = sampling_terms[i];
         image += term.weight * d_samples[term.row];
         if now.length > 0.0 {
             pull += term.weight * d_length(term.row);
         }
     }
-    d_points_image[id.x] = image;
-    d_points[id.x] = image + vec4f(now.length * pull, 0.0);
+    images[local] = image;
+    pulls[local] = pull;
+    workgroupBarrier();
+    for (var half = GROUP / 2u; half > 0u; half /= 2u) {
+        if local < half {
+            images[local] += images[local + half];
+            pulls[local] += pulls[local + half];
+        }
+        workgroupBarrier();
+    }
+    if local == 0u {
+        d_points_image[group.x] = images[0];
+        d_points[group.x] = images[0] + vec4f(now.length * pulls[0], 0.0);
+    }
 }

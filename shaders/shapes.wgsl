@@ -35,7 +35,7 @@ fn end_line(p: vec2f, q: vec2f, origin: vec2f, axis: vec2f, outward: f32) -> vec
     return vec3f(normal, dot(normal, p - origin));
 }
 
-/// One thread a node and view.
+/// One thread a node and view. Makes room for `fill_cells`, too.
 @compute @workgroup_size(64)
 fn shape_nodes(@builtin(global_invocation_id) id: vec3u) {
     let k = id.x;
@@ -44,6 +44,7 @@ fn shape_nodes(@builtin(global_invocation_id) id: vec3u) {
     }
     let view = id.y;
     let first = view * scene.samples;
+    empty_cells(first + k, scene.samples * scene.views);
     let node = vertex_of(view, k);
     let start = joints[first + k];
     var shape = Shape();

@@ -18,31 +18,35 @@ fn visit(view: u32, pixel: u32, area: i32, beyond: i32, length_px: f32, u: f32) 
     }
 }
 
-/// Four threads a node and view, one for each straight edge.
-@compute @workgroup_size(64)
-fn trace_straight(@builtin(global_invocation_id) id: vec3u) {
-    if id.x < 4u * scene.samples {
-        trace_edge(id.y, straight_edge(id.y, id.x / 4u, id.x % 4u));
-    }
-}
-
-/// A workgroup a node and view.
-@compute @workgroup_size(32)
-fn trace_polygons(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
-    let sides = polygon_sides(group.y, group.x);
-    for (var side = local; side < sides; side += 32u) {
-        trace_edge(group.y, polygon_edge(group.y, group.x, side));
-    }
-}
-
-/// A thread for each eight rows of a view: how much of the border x = 0 nothing covers.
-@compute @workgroup_size(64)
-fn trace_border(@builtin(global_invocation_id) id: vec3u) {
-    let begin = 8u * id.x;
-    let height = scene.view[id.y].height;
+/// How much of the border x = 0 of eight rows nothing covers.
+fn trace_border(view: u32, begin: u32) {
+    let height = scene.view[view].height;
     if begin < height {
         bordering = true;
         let edge = Edge(vec2f(0.0, f32(begin)), vec2f(0.0, f32(min(height - begin, 8u))), NONE);
-        trace_part(id.y, edge, vec3u(NONE), vec2f());
+        trace_part(view, edge, vec3u(NONE), vec2f());
+    }
+}
+
+/// Workgroups for straight edges, then for polygons, then for the border.
+@compute @workgroup_size(64)
+fn trace(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
+    let view = group.y;
+    if group.x < straight_groups() {
+        let k = node_of(group.x, local);
+        trace_edge(view, straight_edge(view, k, edge_of(local)));
+        if k < scene.samples {
+            visible[4u * (view * scene.samples + k) + edge_of(local)] = seen;
+        }
+    } else if group.x < straight_groups() + polygon_groups() {
+        let count = filled[SHOWN_COUNTS + view];
+        for (var i = first_polygon(group.x, local); i < count; i += 2u * polygon_groups()) {
+            let k = filled[first_shown(view) + i];
+            for (var side = local % 32u; side < polygon_sides(view, k); side += 32u) {
+                trace_edge(view, polygon_edge(view, k, side));
+            }
+        }
+    } else {
+        trace_border(view, 8u * (64u * (group.x - straight_groups() - polygon_groups()) + local));
     }
 }

@@ -67,7 +67,7 @@ fn on_device(pipeline: &mut Pipeline, wires: &Wires, d_coverage: &[f32]) -> [Dra
         wait(pipeline.make_room(wanted)).unwrap();
     }
     pipeline.write(Slot::Pyramid, d_coverage).unwrap();
-    pipeline.run("pull_straight", "gather_pulls", &[step()], 0).unwrap();
+    pipeline.run("pull_back", "gather_pulls", &[step()], 0).unwrap();
     let (first, count) = (SIZE * SIZE, packed.len());
     let coverage: Vec<f32> = pipeline.read(Slot::Coverage, first + (SIZE - 7) * SIZE).unwrap();
     let d_vertices: Vec<[f32; 4]> = pipeline.read(Slot::DVertices, 2 * count).unwrap();
@@ -89,6 +89,29 @@ fn largest_difference(a: &[f32], b: &[f32]) -> f32 {
 
 fn adjoint_distance(a: &Drawn, b: &Drawn) -> f64 {
     distance(a.d_vertices.as_flattened(), b.d_vertices.as_flattened())
+}
+
+#[test]
+fn more_samples_than_a_row_of_workgroups_are_drawn() {
+    let Some(device) = device() else { return };
+    let mut pipeline = Pipeline::new(&device, 1);
+    let few = wires("smooth", 1);
+    // Most are in no stroke; what is drawn comes last.
+    let unused = 70_000;
+    let mut many = Wires { vertices: vec![[0.0, 0.0, 1.0]; unused], strokes: few.strokes.clone() };
+    many.vertices.extend(&few.vertices);
+    many.strokes.iter_mut().for_each(|stroke| stroke.start += unused);
+    let mut rng = Rng::new(1, 8);
+    let d_coverage: Vec<f32> = (0..SIZE * (2 * SIZE - 7)).map(|_| rng.range(-1.0, 1.0) as f32).collect();
+    let [mut drawn, _] = on_device(&mut pipeline, &many, &d_coverage);
+    let expected = on_processor(&few, SIZE, &d_coverage[..SIZE * SIZE]);
+    drawn.d_vertices.drain(..unused);
+    assert!(largest_difference(&drawn.coverage, &expected.coverage) <= COVERAGE);
+    assert!(adjoint_distance(&drawn, &expected) <= ADJOINT);
+    // Sibling: nothing drawn would be seen.
+    many.strokes.clear();
+    let [blank, _] = on_device(&mut pipeline, &many, &d_coverage);
+    assert!(largest_difference(&blank.coverage, &expected.coverage) > COVERAGE);
 }
 
 #[test]

@@ -12,7 +12,7 @@ use wgpu::BufferUsages as Usage;
 /// Where one of several uniforms may begin: WebGPU's default alignment.
 pub(super) const UNIFORM_STRIDE: usize = 256;
 /// Entries of a node in `d_pieces`.
-const PULLS: usize = 9;
+const PULLS: usize = 3;
 
 /// All buffers of a scene, by [`Slot`].
 pub(super) struct Buffers {
@@ -61,13 +61,14 @@ impl Buffers {
                 Slot::Vertices | Slot::DVertices => nodes * vec4,
                 Slot::Joints => nodes * JOINT_BYTES as usize,
                 Slot::Shapes => nodes * SHAPE_BYTES as usize,
-                Slot::Cells => 4 * (scene.cells_head() + 2 * nodes + 2 * scene.entries as usize),
+                Slot::Cells => 4 * (scene.cells_head() + 3 * nodes + 2 * scene.entries as usize),
                 Slot::Sums => 4 * (pixels + upload.rows),
                 Slot::Pyramid => 4 * upload.pyramid,
                 Slot::Partials => 4 * upload.partials,
                 Slot::DPieces => nodes * PULLS * vec4,
                 Slot::DPointsImage | Slot::DPoints => points * vec4,
                 Slot::Terms => 4 * batch * (views + 4),
+                Slot::Visible => 8 * 4 * nodes,
             }
         };
         let limits = device.device.limits();
@@ -121,11 +122,6 @@ impl Buffers {
     /// Writes values from a byte offset on.
     pub fn write<T: Pod>(&self, device: &Device, slot: Slot, offset: usize, values: &[T]) {
         device.queue.write_buffer(self.get(slot), offset as u64, bytemuck::cast_slice(values));
-    }
-
-    /// Bytes of all of them.
-    pub fn bytes(&self) -> u64 {
-        self.buffers.iter().map(wgpu::Buffer::size).sum()
     }
 
     /// Reads byte ranges of several buffers in one go, after all work before. A native device is waited for; a browser's

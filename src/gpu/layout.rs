@@ -53,7 +53,7 @@ pub struct View {
     pub weight: f32,
     pub first_partial: u32,
     pub partials: u32,
-    pub padding: u32,
+    pub fine_levels: u32,
 }
 
 /// Counts, regular polygons and views.
@@ -73,9 +73,9 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Numbers in the `cells` buffer before its lists: a count of entries, one of large polygons a view, a head a cell.
+    /// Numbers in the `cells` buffer before its lists: how long those get, and a head a cell.
     pub fn cells_head(&self) -> usize {
-        1 + MOST_VIEWS + self.cells as usize
+        1 + 2 * MOST_VIEWS + self.cells as usize
     }
 }
 
@@ -130,7 +130,7 @@ layouts! {
     }
     View {
         right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,
-        rows, levels, weight, first_partial, partials, padding,
+        rows, levels, weight, first_partial, partials, fine_levels,
     }
     Scene { points, samples, views, spans, pixels, cells, entries, gaussian, rings, view }
     Row { first, weights }

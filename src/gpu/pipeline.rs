@@ -3,7 +3,7 @@
 use super::buffers::{Buffers, UNIFORM_STRIDE};
 use super::device::Device;
 use super::fault::{Answer, FaultKind};
-use super::stage::{Access, Over, STAGES, Slot, Stage};
+use super::stage::{Access, Over, SLOTS, STAGES, Slot, Stage, outline_groups};
 use super::upload::{LOSS_GROUP, Upload, pack};
 use crate::optimize::{Scene, Step, wait};
 use bytemuck::Pod;
@@ -73,14 +73,15 @@ impl Pipeline {
         self.fill(upload).await
     }
 
-    /// Bytes of all buffers of a scene.
-    pub fn bytes(&self) -> u64 {
-        self.loaded.as_ref().map_or(0, |loaded| loaded.buffers.bytes())
-    }
-
     /// How many cell entries there is room for.
     pub fn room(&self) -> usize {
         self.loaded.as_ref().map_or(0, |loaded| loaded.upload.scene.entries as usize)
+    }
+
+    /// Bytes of each buffer; none without a scene.
+    pub fn memory(&self) -> Vec<(Slot, u64)> {
+        let sizes = |loaded: &Loaded| SLOTS.iter().map(|&slot| (slot, loaded.buffers.get(slot).size())).collect();
+        self.loaded.as_ref().map(sizes).unwrap_or_default()
     }
 
     /// Makes new buffers for the scene, with room for `entries` cell entries. What was computed is lost.
@@ -157,7 +158,7 @@ impl Pipeline {
     }
 
     /// Fits submissions to a device that takes so long for an iteration.
-    pub(super) fn keep_pace(&mut self, iteration_ms: f64) {
+    pub fn keep_pace(&mut self, iteration_ms: f64) {
         self.pace = if iteration_ms > SUBMISSION_MS {
             Pace::Stage
         } else {
@@ -165,9 +166,8 @@ impl Pipeline {
         };
     }
 
-    /// Submits the stages from `first` to `last` once for each of `steps` (at most [`Pipeline::batch`]), or once where
-    /// there are none, for stages that need no numbers; `count` is how many steps Adam's moments have seen before.
-    /// Iteration i writes row i of the terms.
+    /// Submits the stages from `first` to `last` once for each of `steps` (at most [`Pipeline::batch`]); `count` is how
+    /// many steps Adam's moments have seen before. Iteration i writes row i of the terms.
     ///
     /// # Errors
     /// A fault without a scene.
@@ -184,7 +184,7 @@ impl Pipeline {
         }
         loaded.buffers.write(&self.device, Slot::Step, 0, &packed);
         let stages = Stage::index(first)..Stage::index(last) + 1;
-        let iterations = 0..steps.len().max(1);
+        let iterations = 0..steps.len();
         match self.pace {
             Pace::Stage => {
                 for i in iterations {
@@ -202,16 +202,13 @@ impl Pipeline {
 
     fn submit(&self, loaded: &Loaded, stages: Range<usize>, iterations: Range<usize>) {
         let mut encoder = self.device.device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_compute_pass(&Default::default());
         for i in iterations {
-            if stages.contains(&Stage::index("fill_cells")) {
-                let heads = 4 * loaded.upload.scene.cells_head() as u64;
-                encoder.clear_buffer(loaded.buffers.get(Slot::Cells), 0, Some(heads));
-            }
-            let mut pass = encoder.begin_compute_pass(&Default::default());
             for index in stages.clone() {
                 loaded.dispatch(&mut pass, index, &self.device.stages[index], i);
             }
         }
+        drop(pass);
         self.device.queue.submit([encoder.finish()]);
     }
 }
@@ -241,9 +238,13 @@ impl Loaded {
             Over::Points => dispatch(points.div_ceil(GROUP), 1, 0),
             Over::Samples => dispatch(samples.div_ceil(GROUP), 1, 0),
             Over::SamplesAndViews(threads) => dispatch((samples * threads as usize).div_ceil(GROUP), views, 0),
-            Over::Nodes => dispatch(samples, views, 0),
+            Over::EachPoint => dispatch(points, 1, 0),
+            Over::Outline { border } => {
+                let rows = if border { self.most_rows() } else { 0 };
+                dispatch(outline_groups(samples, rows), views, 0);
+            }
+            Over::Views => dispatch(1, views, 0),
             Over::Rows => dispatch(self.most_rows(), views, 0),
-            Over::Borders => dispatch(self.most_rows().div_ceil(8).div_ceil(GROUP), views, 0),
             Over::Once => dispatch(1, 1, 0),
             Over::Levels { finest_first } => {
                 for pass in 0..self.upload.depth {

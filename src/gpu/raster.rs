@@ -5,7 +5,7 @@ use super::pipeline::Pipeline;
 use super::stage::Slot;
 use super::{Device, Fault};
 use crate::objective::Pyramid;
-use crate::optimize::{RasterKind, Scene, SceneView, wait};
+use crate::optimize::{RasterKind, Scene, SceneView, Step, wait};
 use crate::raster::{FARTHEST_PX, Raster};
 use crate::view::{Image, View};
 use crate::wire::{Jerk, LinearMap, Row, Stroke, Wire};
@@ -41,7 +41,7 @@ impl GpuRaster {
         }
         loop {
             self.pipeline.write(Slot::Vertices, &self.vertices)?;
-            self.pipeline.run("join_pieces", "finish_rows", &[], 0)?;
+            self.pipeline.run("join_pieces", "finish_rows", &[Step::default()], 0)?;
             // Its first value says how many cell entries were wanted.
             let entries = self.pipeline.read::<u32>(Slot::Cells, 1)?[0] as usize;
             if entries <= self.pipeline.room() {
@@ -53,7 +53,7 @@ impl GpuRaster {
 
     fn try_backward(&mut self, d_coverage: &[f32]) -> Answer<Vec<[f32; 4]>> {
         self.pipeline.write(Slot::Pyramid, d_coverage)?;
-        self.pipeline.run("pull_straight", "gather_pulls", &[], 0)?;
+        self.pipeline.run("pull_straight", "gather_pulls", &[Step::default()], 0)?;
         self.pipeline.read(Slot::DVertices, self.vertices.len())
     }
 

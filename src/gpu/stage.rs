@@ -46,6 +46,7 @@ slots! {
     DPointsImage,
     DPoints,
     Terms,
+    Visible,
 }
 
 /// What a buffer is to a shader.
@@ -74,20 +75,31 @@ impl Slot {
 pub(super) enum Over {
     /// Threads over control points.
     Points,
+    /// A workgroup a control point.
+    EachPoint,
     /// Threads over samples.
     Samples,
     /// So many threads a sample and view.
     SamplesAndViews(u32),
-    /// Threads over the pixels of a level and views: a pass a level, the finest first or last.
+    /// Workgroups over straight edges, polygons and, if so, the border, and views.
+    Outline { border: bool },
+    /// Threads over the pixels of a fine level and views: a pass a level, the finest first or last.
     Levels { finest_first: bool },
-    /// A workgroup a sample and view.
-    Nodes,
+    /// A workgroup a view.
+    Views,
     /// A workgroup a row of pixels and view.
     Rows,
-    /// A thread for each eight rows of pixels and view.
-    Borders,
     /// A single workgroup.
     Once,
+}
+
+/// Nodes whose straight edges a workgroup traces, as in `shaders/outline.wgsl`.
+pub(super) const NODES: usize = 16;
+
+/// Workgroups that trace one view's outline: a thread a straight edge, then those that share the polygons, then a thread
+/// for each eight of `rows` along the border.
+pub(super) fn outline_groups(samples: usize, rows: usize) -> usize {
+    samples.div_ceil(NODES) + samples.div_ceil(8) + rows.div_ceil(8 * 64)
 }
 
 /// One compute shader.
@@ -131,16 +143,6 @@ const HIDDEN: &str = text!("hidden");
 const OUTLINE: &str = text!("outline");
 const WALK: &str = text!("walk");
 
-/// Shader and buffers of a forward stage that traces the outline.
-const fn tracing(name: &'static str, slots: &'static [Slot], over: Over) -> Stage {
-    Stage { name, texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("trace")], slots, over }
-}
-
-/// And of a backward one.
-const fn pulling(name: &'static str, slots: &'static [Slot], over: Over) -> Stage {
-    Stage { name, texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("pull_back")], slots, over }
-}
-
 /// All stages, in the order of an iteration.
 pub const STAGES: &[Stage] = &[
     Stage {
@@ -163,8 +165,8 @@ pub const STAGES: &[Stage] = &[
     },
     Stage {
         name: "shape_nodes",
-        texts: &[LAYOUT, PIECES, text!("shapes")],
-        slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes],
+        texts: &[LAYOUT, PIECES, CELLS, text!("shapes")],
+        slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells],
         over: Over::SamplesAndViews(1),
     },
     Stage {
@@ -173,13 +175,21 @@ pub const STAGES: &[Stage] = &[
         slots: &[Slot::Scene, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells],
         over: Over::SamplesAndViews(2),
     },
-    tracing(
-        "trace_straight",
-        &[Slot::Scene, Slot::Circles, Slot::Vertices, Slot::Joints, Slot::Shapes, Slot::Cells, Slot::Sums],
-        Over::SamplesAndViews(4),
-    ),
-    tracing("trace_polygons", &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Sums], Over::Nodes),
-    tracing("trace_border", &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Sums], Over::Borders),
+    Stage {
+        name: "trace",
+        texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("trace")],
+        slots: &[
+            Slot::Scene,
+            Slot::Circles,
+            Slot::Vertices,
+            Slot::Joints,
+            Slot::Shapes,
+            Slot::Cells,
+            Slot::Sums,
+            Slot::Visible,
+        ],
+        over: Over::Outline { border: true },
+    },
     Stage {
         name: "finish_rows",
         texts: &[LAYOUT, CELLS, text!("rows")],
@@ -202,14 +212,21 @@ pub const STAGES: &[Stage] = &[
         over: Over::Levels { finest_first: true },
     },
     Stage {
+        name: "compare_coarse",
+        texts: &[LAYOUT, text!("mse")],
+        slots: &[Slot::Step, Slot::Scene, Slot::Levels, Slot::Pyramid, Slot::Partials],
+        over: Over::Views,
+    },
+    Stage {
         name: "compare_vjp",
         texts: &[LAYOUT, text!("mse")],
         slots: &[Slot::Step, Slot::Scene, Slot::Pass, Slot::Levels, Slot::Pyramid],
         over: Over::Levels { finest_first: false },
     },
-    pulling(
-        "pull_straight",
-        &[
+    Stage {
+        name: "pull_back",
+        texts: &[LAYOUT, PIECES, CELLS, HIDDEN, OUTLINE, WALK, text!("pull_back")],
+        slots: &[
             Slot::Scene,
             Slot::Circles,
             Slot::Vertices,
@@ -218,18 +235,14 @@ pub const STAGES: &[Stage] = &[
             Slot::Cells,
             Slot::Pyramid,
             Slot::DPieces,
+            Slot::Visible,
         ],
-        Over::SamplesAndViews(4),
-    ),
-    pulling(
-        "pull_polygons",
-        &[Slot::Scene, Slot::Circles, Slot::Shapes, Slot::Cells, Slot::Pyramid, Slot::DPieces],
-        Over::Nodes,
-    ),
+        over: Over::Outline { border: false },
+    },
     Stage {
         name: "gather_pulls",
-        texts: &[LAYOUT, text!("gather")],
-        slots: &[Slot::Scene, Slot::Joints, Slot::DPieces, Slot::DVertices],
+        texts: &[LAYOUT, CELLS, text!("gather")],
+        slots: &[Slot::Scene, Slot::Joints, Slot::Shapes, Slot::DPieces, Slot::DVertices],
         over: Over::SamplesAndViews(1),
     },
     Stage {
@@ -243,7 +256,6 @@ pub const STAGES: &[Stage] = &[
         texts: &[LAYOUT, text!("length"), text!("sampling")],
         slots: &[
             Slot::Step,
-            Slot::Scene,
             Slot::SamplingStarts,
             Slot::SamplingTerms,
             Slot::Links,
@@ -252,7 +264,7 @@ pub const STAGES: &[Stage] = &[
             Slot::DPointsImage,
             Slot::DPoints,
         ],
-        over: Over::Points,
+        over: Over::EachPoint,
     },
     Stage {
         name: "jerk_gradient",

@@ -3,6 +3,7 @@
 use super::device::Device;
 use super::fault::{Answer, Fault, FaultKind};
 use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
+use super::stage::{NODES, outline_groups};
 use crate::objective::{Pyramid, level_sizes};
 use crate::optimize::{Scene, Step};
 use crate::raster::{CELL_PX, rings};
@@ -14,6 +15,8 @@ const NONE: u32 = u32::MAX;
 const ENTRIES_A_POLYGON: usize = 6;
 /// Values a workgroup of the loss sums up.
 pub(super) const LOSS_GROUP: usize = 256;
+/// The largest level of a pyramid that is left to a single workgroup: 64 x 64 take it about as long as a pass more.
+const COARSE: usize = 4096;
 
 /// What shaders know of a scene, and how much room its buffers take.
 pub(super) struct Upload {
@@ -28,7 +31,7 @@ pub(super) struct Upload {
     pub pyramid: usize,
     pub partials: usize,
     pub rows: usize,
-    /// The most levels of any view.
+    /// The most levels of any view that take a pass each.
     pub depth: usize,
 }
 
@@ -121,11 +124,13 @@ impl Upload {
             cells += columns * cell_rows;
         }
         // Level 0 of all views first, so that it is indexed as their pictures are.
-        let (mut offset, mut partials, mut depth) = (pixels, 0, 0);
+        let (mut offset, mut partials, mut depth) = (pixels, count, 0);
         for (v, view) in from.views.iter().enumerate() {
             let sizes = level_sizes(view.target.width, view.target.height);
+            let fine = sizes.iter().skip(1).take_while(|(width, height)| width * height > COARSE).count() + 1;
             let packed = &mut scene.view[v];
-            (packed.levels, packed.first_partial) = (sizes.len() as u32, partials as u32);
+            (packed.levels, packed.fine_levels) = (sizes.len() as u32, fine as u32);
+            (packed.first_partial, packed.partials) = (v as u32, 1);
             for (l, &(width, height)) in sizes.iter().enumerate() {
                 let at = if l == 0 { packed.first_pixel as usize } else { offset };
                 levels[v * MOST_LEVELS + l] = Level {
@@ -135,15 +140,17 @@ impl Upload {
                     first_partial: partials as u32,
                 };
                 offset += if l == 0 { 0 } else { width * height };
-                partials += (width * height).div_ceil(LOSS_GROUP);
+                partials += if l < fine { (width * height).div_ceil(LOSS_GROUP) } else { 0 };
             }
-            packed.partials = partials as u32 - packed.first_partial;
-            depth = depth.max(sizes.len());
+            depth = depth.max(fine);
         }
         let samples = from.sampling.rows().len();
-        // The widest dispatch has a workgroup a sample.
-        if samples > most_groups {
-            return Err(refuse("samples", samples, most_groups));
+        // The widest dispatches: the outline's, and a workgroup a control point.
+        if outline_groups(samples, rows) > most_groups {
+            return Err(refuse("samples", samples, most_groups / outline_groups(NODES, 0) * NODES));
+        }
+        if from.sampling.columns() > most_groups {
+            return Err(refuse("control points", from.sampling.columns(), most_groups));
         }
         let mut circles: Vec<[f32; 2]> = Vec::new();
         for (packed, ring) in scene.rings.iter_mut().zip(rings()) {

@@ -39,7 +39,7 @@ pub struct Scene {
 }
 
 /// The numbers of one iteration, in world units.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Step {
     /// Adam's rate of x, y, z and width.
     pub rates: [f32; 4],
