@@ -34,7 +34,7 @@ fn on_card() {
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     for case in cases {
-        let loaded = card::Loaded::new(&device, case);
+        let mut loaded = card::Loaded::new(&device, case);
         let (on_card, recording) = loaded.time_all();
         let on_processor = loaded.time_on_processor();
         let (loss, gradient) = loaded.differences();

@@ -53,7 +53,7 @@ impl GpuRaster {
 
     fn try_backward(&mut self, d_coverage: &[f32]) -> Answer<Vec<[f32; 4]>> {
         self.pipeline.write(Slot::Pyramid, d_coverage)?;
-        self.pipeline.run("pull_straight", "gather_pulls", &[Step::default()], 0)?;
+        self.pipeline.run("pull_back", "gather_pulls", &[Step::default()], 0)?;
         self.pipeline.read(Slot::DVertices, self.vertices.len())
     }
 
