@@ -9,7 +9,7 @@ import { padsReady } from "./pads";
 /** No address of this machine's own, so that what is there is no secure context. */
 const ELSEWHERE = "wire4d.test";
 /** Small: SwiftShader computes it. */
-const small = (iterations: number) => `#v=1&preset=fast&size=32&control_points=40&samples=2&grid=24&iterations=${iterations}`;
+const small = (iterations: number) => `#v=1&preset=fast&size=64&control_points=40&samples=2&grid=32&iterations=${iterations}`;
 const SWIFTSHADER = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", `--host-resolver-rules=MAP ${ELSEWHERE} 127.0.0.1`];
 /** Keeps the engine's devices at hand. */
 const KEEP_DEVICES = `
@@ -32,7 +32,7 @@ afterAll(async () => {
   site.server.close();
 });
 
-const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
+const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 60_000 });
 const device = (page: Page) => page.locator("run-panel [data-backend]");
 const notice = (page: Page) => page.locator("notice-list .notice");
 
