@@ -228,8 +228,10 @@ fn too_much_for_a_device_goes_on_on_the_processor_and_says_so() {
     assert!(fine.trouble().is_none());
 }
 
-/// A fit in which the device in use is treated badly before some iterations.
-fn fit_with(device: &Device, faults: &[(usize, fn(&Device))]) -> Session {
+/// Before which iteration the device in use is treated badly, and how.
+type BadTurn = (usize, fn(&Device));
+
+fn fit_with(device: &Device, faults: &[BadTurn]) -> Session {
     use std::sync::{Arc, Mutex};
     let held = Arc::new(Mutex::new(device.clone()));
     let holder = Arc::clone(&held);
@@ -255,14 +257,14 @@ fn a_lost_device_is_replaced_once_and_then_the_processor_takes_over() {
     let Some(device) = device() else { return };
     let straight = fit_with(&device, &[]);
     assert!(straight.engine_trouble().is_none() && straight.place().why == "as asked");
-    let continued: [(&str, fn(&Device)); 3] = [
-        ("lost for a moment", Device::destroy),
-        ("lost for a moment", |device| device.provoke(FaultKind::Lost)),
-        ("in smaller pieces", |device| device.provoke(FaultKind::Memory)),
+    let continued: [(&str, BadTurn); 3] = [
+        ("lost for a moment", (37, Device::destroy)),
+        ("lost for a moment", (37, |device| device.provoke(FaultKind::Lost))),
+        ("in smaller pieces", (37, |device| device.provoke(FaultKind::Memory))),
     ];
     for (words, fault) in continued {
         let device = Device::acquire(Kind::Any).unwrap();
-        let session = fit_with(&device, &[(37, fault)]);
+        let session = fit_with(&device, &[fault]);
         let place = session.place();
         assert!(place.backend == "gpu" && place.why.contains(words), "{place:?}");
         assert!(session.engine_trouble().is_some());
@@ -270,7 +272,7 @@ fn a_lost_device_is_replaced_once_and_then_the_processor_takes_over() {
         assert_eq!(session.best(), straight.best());
     }
     let same = |a: &Session, b: &Session, rows: usize| a.history().rows().take(rows).eq(b.history().rows().take(rows));
-    let ended: [(&str, &[(usize, fn(&Device))]); 2] = [
+    let ended: [(&str, &[BadTurn]); 2] = [
         ("the processor has taken over", &[(37, Device::destroy), (80, Device::destroy)]),
         ("more than the graphics card takes", &[(80, |device| device.provoke(FaultKind::Limits))]),
     ];

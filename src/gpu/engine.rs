@@ -34,8 +34,8 @@ pub struct GpuEngine {
 
 /// Where it computes.
 enum Now {
-    Device(Pipeline),
-    Processor(CpuEngine),
+    Device(Box<Pipeline>),
+    Processor(Box<CpuEngine>),
 }
 
 impl GpuEngine {
@@ -50,7 +50,7 @@ impl GpuEngine {
     /// With up to `batch` iterations a call and a source of devices of one's choice.
     pub fn with_another(device: &Device, batch: usize, why: String, another: Another) -> GpuEngine {
         GpuEngine {
-            now: Now::Device(Pipeline::new(device, batch)),
+            now: Now::Device(Box::new(Pipeline::new(device, batch))),
             scene: None,
             another,
             losses: 0,
@@ -94,20 +94,20 @@ impl GpuEngine {
             self.why = format!("{} ({}.)", self.why, fault.problem);
         }
         self.now = match next {
-            Some(pipeline) => Now::Device(pipeline),
+            Some(pipeline) => Now::Device(Box::new(pipeline)),
             None => {
                 let mut cpu = CpuEngine::because(&*self.why);
                 if let Some(scene) = &self.scene {
                     cpu.load(scene.clone()).done().await;
                 }
-                Now::Processor(cpu)
+                Now::Processor(Box::new(cpu))
             }
         };
         self.trouble.get_or_insert(fault.into());
-        if let (Now::Device(pipeline), Some(scene)) = (&mut self.now, &self.scene) {
-            if let Err(fault) = pipeline.load_async(scene).await {
-                Box::pin(self.recover(fault)).await;
-            }
+        if let (Now::Device(pipeline), Some(scene)) = (&mut self.now, &self.scene)
+            && let Err(fault) = pipeline.load_async(scene).await
+        {
+            Box::pin(self.recover(fault)).await;
         }
     }
 
