@@ -29,22 +29,39 @@ pub async fn place(backend: Backend) -> Result<Place> {
 mod device {
     use super::*;
     use crate::gpu::{Absence, Device, GpuEngine, Kind, self_check, speed_up};
-    use std::cell::RefCell;
 
-    thread_local! {
-        /// The last device that passed its check: to ask where a fit will be computed should not cost a fit's start twice.
-        static CHECKED: RefCell<Option<(Kind, Device)>> = const { RefCell::new(None) };
-    }
-
+    /// A device that has passed its check: on a page the last one, if it still works.
     async fn checked(kind: Kind) -> Result<Device, Absence> {
-        let kept = CHECKED.with_borrow(|kept| kept.clone());
-        if let Some((_, device)) = kept.filter(|(kept, device)| *kept == kind && device.faultless().is_ok()) {
+        #[cfg(target_arch = "wasm32")]
+        if let Some(device) = page::kept(kind) {
             return Ok(device);
         }
         let device = Device::acquire_async(kind).await?;
         self_check(&mut GpuEngine::new(&device, "")).await?;
-        CHECKED.set(Some((kind, device.clone())));
+        #[cfg(target_arch = "wasm32")]
+        page::keep(kind, &device);
         Ok(device)
+    }
+
+    /// A page asks where fits will be computed before it starts one: that should not cost a device twice. Natively a
+    /// device must not outlive its thread, and nobody asks twice.
+    #[cfg(target_arch = "wasm32")]
+    mod page {
+        use super::{Device, Kind};
+        use std::cell::RefCell;
+
+        thread_local! {
+            static KEPT: RefCell<Option<(Kind, Device)>> = const { RefCell::new(None) };
+        }
+
+        pub fn kept(kind: Kind) -> Option<Device> {
+            let kept = KEPT.with_borrow(Clone::clone);
+            kept.filter(|(of, device)| *of == kind && device.faultless().is_ok()).map(|(_, device)| device)
+        }
+
+        pub fn keep(kind: Kind, device: &Device) {
+            KEPT.set(Some((kind, device.clone())));
+        }
     }
 
     pub async fn device_engine() -> Result<Box<dyn Engine>> {
