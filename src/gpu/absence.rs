@@ -1,7 +1,10 @@
 //! Why there is no device to compute on, in words for people.
 
-use super::device::{NAME, REMEDY};
+use super::fault::REMEDY;
 use crate::Error;
+
+/// What a device is called as long as its own name is not known.
+pub(super) const NAME: &str = "graphics card";
 
 /// What stands in the way.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -1,21 +1,12 @@
 //! The device: which adapter, what it is called, what it can do, and what it objects to.
 
-use super::absence::Absence;
+use super::absence::{Absence, NAME};
 use super::compile::compile;
 use super::fault::{Answer, Fault, FaultKind};
 use super::stage::STAGES;
 use crate::optimize::wait;
 use std::result::Result;
 use std::sync::{Arc, Mutex};
-
-/// What a device is called as long as its own name is not known.
-pub(super) const NAME: &str = "graphics card";
-/// What helps where there is no device.
-pub(super) const REMEDY: &str = if cfg!(target_arch = "wasm32") {
-    "choose the processor in the settings"
-} else {
-    "fit on the processor instead (--backend cpu)"
-};
 
 /// Which devices will do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,13 @@
 //! What goes wrong on a device that was there.
 
-use super::device::REMEDY;
 use crate::Error;
+
+/// What helps where there is no device.
+pub(super) const REMEDY: &str = if cfg!(target_arch = "wasm32") {
+    "choose the processor in the settings"
+} else {
+    "fit on the processor instead (--backend cpu)"
+};
 
 /// A device's trouble.
 #[derive(Debug, Clone, PartialEq, Eq)]
