@@ -15,6 +15,7 @@ mod plane;
 mod shared;
 mod shortcuts;
 mod shortest;
+mod solid;
 #[cfg(test)]
 mod testing;
 mod tour;
@@ -30,6 +31,7 @@ pub use grid::Grid;
 pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path, mean_share};
 pub use place::place;
 pub use placing::Orientation;
+pub use solid::{Solid, SolidOptions};
 pub use tour::{greedy_tour, short_tour, tour_length};
 pub use trail::{TrailOptions, path_along};
 pub use tree::{Tree, TreeOptions, grow_tree};
