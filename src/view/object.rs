@@ -127,27 +127,32 @@ impl Pixels {
         if busy > 0.08 {
             notes.push(format!("{name}: the ground is busy, so the object may be cut out badly; a mask helps"));
         }
-        let threshold = (otsu(data.iter().map(|d| d / highest)) * highest * 0.8).max(least);
+        // What clearly stands out, and on a clean ground all that it is joined to and stands out at all: lit parts of a pale
+        // thing.
+        let clear = (otsu(data.iter().map(|d| d / highest)) * highest * 0.8).max(least);
+        let threshold = if busy < LEAST_DISTANCE { least.max(0.25 * clear) } else { clear };
+        let image = Image { width, height, data };
+        let parts = image.threshold(threshold).components();
+        let mut is_clear = vec![false; parts.sizes.len() + 1];
+        parts.labels.iter().zip(&image.data).for_each(|(&part, &d)| is_clear[part as usize] |= part > 0 && d > clear);
+        let on = |i: usize| is_clear[parts.labels[i] as usize];
         // Pixels on the object's edge are mixed of it and the ground: their distance is their share of the full one.
         let mut mask = Image::new(width, height);
-        for i in 0..data.len() {
+        for i in 0..mask.data.len() {
             let (x, y) = (i % width, i / width);
-            let mut nearby = 0.0f32;
-            let mut inner = true;
+            let (mut nearby, mut inner, mut beside) = (0.0f32, true, false);
             for v in y.saturating_sub(1)..height.min(y + 2) {
                 for u in x.saturating_sub(1)..width.min(x + 2) {
-                    nearby = nearby.max(data[v * width + u]);
-                    inner &= data[v * width + u] > threshold;
+                    let n = v * width + u;
+                    nearby = nearby.max(image.data[n]);
+                    inner &= on(n);
+                    beside |= on(n);
                 }
             }
-            mask.data[i] = match data[i] > threshold {
-                true if inner => 1.0,
-                _ if nearby > threshold => {
-                    let share = data[i] / nearby;
-                    // What is above the threshold is the object, however strongly its neighbour stands out.
-                    if data[i] > threshold { share.max(0.51) } else { share.min(0.49) }
-                }
-                _ => 0.0,
+            mask.data[i] = match (inner, beside) {
+                (true, _) => 1.0,
+                (false, true) => image.data[i] / nearby,
+                (false, false) => 0.0,
             };
         }
         Ok(mask)
@@ -254,7 +259,8 @@ fn chosen_part(whole: &Image, name: &str, given: bool, notes: &mut Vec<String>) 
         return Err(Error::picture(name, format!("shows no object: {} pixels stand out", solid.count()), remedy));
     }
     let close = (JOINED_WITHIN * width.max(height) as f32).max(1.5) / 2.0;
-    let near = Mask { data: solid.distance_px().data.iter().map(|&d| d <= close).collect(), ..solid };
+    // What an outline encloses belongs to it.
+    let near = Mask { data: filled(&solid).distance_px().data.iter().map(|&d| d <= close).collect(), ..solid };
     let groups = near.components();
     let mut inked = vec![0usize; groups.sizes.len()];
     for (&label, _) in groups.labels.iter().zip(&solid.data).filter(|(_, solid)| **solid) {
