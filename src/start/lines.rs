@@ -456,13 +456,14 @@ mod tests {
             for point in &path.points {
                 let [u, v] = [128.0 + point[0] / px, 128.0 - point[1] / px];
                 met.data[v as usize * 256 + u as usize] = true;
-                before += usize::from(point[2] > 0.0);
-                behind += usize::from(point[2] < 0.0);
+                // Thick wire in a thin part lies in its middle.
+                before += usize::from(point[2] > -0.1 * px);
+                behind += usize::from(point[2] < -0.1 * px);
             }
             let away = met.distance_px();
             let missed = (0..256 * 256).filter(|&i| lines.on.data[i] && away.data[i] > 4.0).count();
             assert!(missed as f64 <= 0.01 * lines.on.count() as f64, "{missed} of {} pixels missed", lines.on.count());
-            assert!(before.abs_diff(behind) as f64 <= 0.1 * path.points.len() as f64, "{before} {behind}");
+            assert!(4 * before.min(behind) > path.points.len(), "{before} {behind}");
             let step = |pair: &[[f64; 4]]| (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1]);
             assert!(path.points.windows(2).all(|pair| step(pair) < 2.0 * px), "no jumps across");
             assert!(length(&path) > 0.0);

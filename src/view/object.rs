@@ -23,6 +23,8 @@ pub const OBJECT_PX: usize = 512;
 
 /// Least distance from the ground's colour, in Oklab units (black to white is 1), that can be told from noise.
 const LEAST_DISTANCE: f32 = 0.04;
+/// A border that differs this much from a smooth ground in a fifth of its pixels is busy.
+const BUSY: f32 = 0.05;
 /// Parts nearer to each other than this share of the picture's side are one object.
 const JOINED_WITHIN: f32 = 0.04;
 /// Parts of at least this share of the object, left out, are worth a word.
@@ -124,7 +126,7 @@ impl Pixels {
             let remedy = "use a picture whose object stands out from its ground, cut it out, or paint a mask";
             return Err(Error::picture(name, "shows no object: nothing differs from the border", remedy));
         }
-        if busy > 0.08 {
+        if busy > BUSY {
             notes.push(format!("{name}: the ground is busy, so the object may be cut out badly; a mask helps"));
         }
         // What clearly stands out, and on a clean ground all that it is joined to and stands out at all: lit parts of a pale
