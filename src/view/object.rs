@@ -274,8 +274,7 @@ fn chosen_part(whole: &Image, name: &str, given: bool, notes: &mut Vec<String>) 
     if others > 0 {
         notes.push(format!("{name}: {} objects stand out, the largest is taken; a mask chooses another", others + 1));
     }
-    let on_border = |i: &usize| i % width == 0 || i % width == width - 1 || i / width == 0 || i / width == height - 1;
-    let border: Vec<usize> = (0..width * height).filter(on_border).collect();
+    let border: Vec<usize> = (0..width * height).filter(|&i| on_rim(i, width, height)).collect();
     let covered = border.iter().filter(|&&i| solid.data[i] && groups.labels[i] as usize == largest + 1).count();
     if covered as f64 > MOST_BORDER * border.len() as f64 {
         let problem = "its object covers the border all round, so there is no ground to tell it from";
@@ -307,13 +306,17 @@ fn body(mask: &Image) -> Image {
     Image { data: data.collect(), ..*mask }
 }
 
+/// Whether a pixel is one of the outermost.
+fn on_rim(i: usize, width: usize, height: usize) -> bool {
+    let (x, y) = (i % width, i / width);
+    x == 0 || y == 0 || x + 1 == width || y + 1 == height
+}
+
 /// The mask with everything that it encloses. Ground joins across sides only: lines that meet at corners are closed.
 fn filled(mask: &Mask) -> Mask {
     let (width, height) = (mask.width, mask.height);
     let mut outside = vec![false; mask.data.len()];
-    let mut front: Vec<usize> = (0..mask.data.len())
-        .filter(|i| i % width == 0 || i % width == width - 1 || i / width == 0 || i / width == height - 1)
-        .collect();
+    let mut front: Vec<usize> = (0..mask.data.len()).filter(|&i| on_rim(i, width, height)).collect();
     while let Some(i) = front.pop() {
         if mask.data[i] || std::mem::replace(&mut outside[i], true) {
             continue;
