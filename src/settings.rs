@@ -18,6 +18,8 @@ pub enum Group {
     Views,
     /// How the wire is fitted.
     Fit,
+    /// One picture: the solid behind it and what the wire draws of it.
+    Stroke,
     /// For people who know the method.
     Expert,
 }
@@ -106,6 +108,22 @@ choices! {
         Hull = "hull",
         /// Points in a ball, joined by a short tour (the paper's).
         Ball = "ball",
+    }
+    /// Where the wire of one picture starts.
+    StrokeStart {
+        /// Along the outline and inwards, line by line, on the solid's front and back.
+        Contour = "contour",
+        /// Points spread evenly inside the solid, joined by a short tour (the paper's).
+        Points = "points",
+        /// Points in a ball, joined by a short tour.
+        Ball = "ball",
+    }
+    /// What the front of one picture's wire should show.
+    Shading {
+        /// Lines as wide as the picture is dark.
+        Lines = "lines",
+        /// The picture's own greys.
+        Grey = "grey",
     }
     /// How far the drawings may bend to agree with each other.
     Bend {
@@ -267,6 +285,29 @@ settings! {
     Fit /// How strongly the wire is kept smooth (weight of the jerk of positions).
     smoothness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
+    Stroke /// Where the first wire comes from.
+    stroke_start: StrokeStart = StrokeStart::Contour, "", Choice { choices: StrokeStart::WORDS };
+    Stroke /// What the front should show: lines as wide as the picture is dark, or its own greys.
+    shading: Shading = Shading::Lines, "", Choice { choices: Shading::WORDS };
+    Stroke /// From line to line where areas are filled; wider is more abstract.
+    hatch: f64 = 11.0, "px at 256", Number { min: 2.0, max: 128.0 };
+    Stroke /// Width of the outline and of inner edges.
+    outline: f64 = 3.0, "px at 256", Number { min: 0.5, max: 32.0 };
+    Stroke /// How much more ink darker parts get: 0 none, 1 from hair lines to filled.
+    tone: f64 = 1.0, "of 1", Number { min: 0.0, max: 1.0 };
+    Stroke /// How readily inner edges are drawn: 0 not at all, 1 the clear ones, more the faint ones too.
+    edges: f64 = 1.0, "times", Number { min: 0.0, max: 8.0 };
+    Stroke /// Thickness of the solid: 1 makes a ball of a disc, 0 nearly a sheet.
+    roundness: f64 = 0.9, "times", Number { min: 0.0, max: 2.0 };
+    Stroke /// Largest half thickness, as a share of half the object's smaller side.
+    most_depth: f64 = 1.0, "times", Number { min: 0.01, max: 4.0 };
+    Stroke /// How far light parts come forward and dark ones go back, as a share of the solid's thickness.
+    relief: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 };
+    Stroke /// From how many more sides, drawn from the seed, the wire is held against the solid.
+    side_views: usize = 6, "views", Integer { min: 0, max: 24 };
+    Stroke /// Weight of all those sides together; the front's is 1.
+    side_weight: f64 = 0.4, "times", Number { min: 0.0, max: 16.0 };
+
     Expert /// Step size for positions, in pixels of a 128 px picture.
     position_rate: f64 = 0.8, "px at 128", Number { min: 1e-4, max: 10.0 };
     Expert /// Step size for widths, in pixels of a 128 px picture.
@@ -316,13 +357,53 @@ impl Settings {
         }
     }
 
+    /// The settings of a preset for one picture.
+    pub fn stroke_preset(preset: Preset) -> Settings {
+        let several = Settings { bend: Bend::None, arrange: OnOff::Off, ..Settings::preset(preset) };
+        // The first wire lies along the lines already: small steps keep it there.
+        let best = Settings {
+            iterations: 320,
+            spacing: 4.0,
+            position_rate: 0.2,
+            width_rate: 0.08,
+            coarse_share: 0.3,
+            ..several.clone()
+        };
+        match preset {
+            Preset::Best => best,
+            Preset::Fast => Settings { iterations: 120, spacing: 6.0, hatch: 16.0, side_views: 4, ..best },
+            // Refined once, 120 control points become 220.
+            Preset::Paper => Settings {
+                control_points: 120,
+                start: Start::Ball,
+                stroke_start: StrokeStart::Points,
+                shading: Shading::Grey,
+                ..several
+            },
+        }
+    }
+
     /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
+    ///
+    /// # Errors
+    /// As [`Settings::set`] and [`Settings::check`].
     pub fn from_pairs<'a>(pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
-        let mut settings = Settings::default();
+        Settings::from_pairs_over(Settings::preset, pairs)
+    }
+
+    /// [`Settings::from_pairs`] with a task's own presets, such as [`Settings::stroke_preset`].
+    ///
+    /// # Errors
+    /// As [`Settings::from_pairs`].
+    pub fn from_pairs_over<'a>(
+        presets: fn(Preset) -> Settings,
+        pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
+    ) -> Result<Settings> {
+        let mut settings = presets(Preset::Best);
         for (name, text) in pairs.clone() {
             if name.replace('-', "_") == "preset" {
                 settings.set(name, text)?;
-                settings = Settings::preset(settings.preset);
+                settings = presets(settings.preset);
             }
         }
         for (name, text) in pairs {

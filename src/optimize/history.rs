@@ -40,6 +40,19 @@ pub struct History {
 }
 
 impl History {
+    /// The loss of every iteration, term by term, as `loss.csv`.
+    pub fn to_csv(&self) -> String {
+        let mut text = format!("iteration,{}\n", self.columns.join(","));
+        for (iteration, row) in self.rows().enumerate() {
+            text.push_str(&iteration.to_string());
+            for value in row {
+                text.push_str(&format!(",{value:e}"));
+            }
+            text.push('\n');
+        }
+        text
+    }
+
     pub(super) fn new(views: impl Iterator<Item = String>, iterations: usize) -> Self {
         let mut columns = vec!["total".to_owned()];
         columns.extend(views);

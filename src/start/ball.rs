@@ -12,17 +12,22 @@ pub fn ball_path(count: usize, radius_world: f64, width_world: f64, closed: bool
     Path { points, closed }
 }
 
-/// `count` points spread evenly in a ball: each the best of several random candidates, the one farthest from all
-/// points so far (Mitchell 1991). For very many points, where chance alone is even enough, fewer candidates.
+/// `count` points spread evenly in the ball.
 pub fn ball_points(count: usize, radius_world: f64, seed: u64) -> Vec<[f64; 3]> {
+    let mut rng = Rng::new(seed, 1);
+    spread_points(count, || rng.in_ball(radius_world))
+}
+
+/// `count` points spread evenly over what `candidate` draws from: each the best of several, the one farthest from all
+/// points so far (Mitchell 1991). For very many points, where chance alone is even enough, fewer candidates.
+pub(super) fn spread_points(count: usize, mut candidate: impl FnMut() -> [f64; 3]) -> Vec<[f64; 3]> {
     // About 4e7 distances at most.
     let candidates = (40_000_000 / (count * count).max(1)).clamp(1, 16);
-    let mut rng = Rng::new(seed, 1);
     let mut points: Vec<[f64; 3]> = Vec::with_capacity(count);
     for _ in 0..count {
-        let mut best = (rng.in_ball(radius_world), -1.0);
+        let mut best = (candidate(), -1.0);
         for _ in 1..candidates {
-            let candidate = rng.in_ball(radius_world);
+            let candidate = candidate();
             let nearest = points.iter().map(|p| squared(p, &candidate)).fold(f64::INFINITY, f64::min);
             if nearest > best.1 {
                 best = (candidate, nearest);

@@ -1,8 +1,10 @@
-//! The settings' part that says how to fit, as a [`Recipe`].
+//! What all tasks share: the settings' part that says how to fit, as a [`Recipe`], and what happened, for the report.
 
+use crate::metrics::EventReport;
 use crate::objective::Pyramid;
 use crate::optimize::{
-    Bending, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Schedule, TopologyEdit, TopologyEvent,
+    Bending, Event, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Schedule, Session, TopologyEdit,
+    TopologyEvent,
 };
 use crate::settings::{self, Bend, Preset, Settings};
 
@@ -65,4 +67,15 @@ fn topology(settings: &Settings) -> Vec<TopologyEvent> {
         events.push(at(2.0 / 3.0, TopologyEdit::Refine(Refine::default())));
     }
     events
+}
+
+/// What happened so far.
+pub(super) fn event_reports(session: &Session) -> Vec<EventReport> {
+    let word = |kind| serde_json::to_value(kind).ok().and_then(|kind| kind.as_str().map(str::to_owned));
+    let report = |event: &Event| EventReport {
+        iteration: event.iteration,
+        kind: word(event.kind).unwrap_or_default(),
+        count: event.count,
+    };
+    session.events().iter().map(report).collect()
 }

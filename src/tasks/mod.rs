@@ -6,5 +6,6 @@ pub mod multiview;
 pub mod preview;
 mod remedies;
 mod saved;
+pub mod stroke;
 
 pub use engine::place;

@@ -4,9 +4,9 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::engine::engine;
-use super::fit::recipe;
+use super::fit::{event_reports, recipe};
 use super::saved::SavedRun;
-use crate::metrics::{ArrangementReport, BentReport, EventReport, Report, ResultReport, TimeReport, match_pictures};
+use crate::metrics::{ArrangementReport, BentReport, Report, ResultReport, TimeReport, match_pictures};
 use crate::objective::Displacement;
 use crate::optimize::{Event, Place, Problem, Session, WidthBounds, wait};
 use crate::sculpture::{MadeWith, Sculpture, render};
@@ -318,7 +318,7 @@ impl Run {
 
     /// The whole state, to go on from later: see [`Run::resume`].
     pub fn checkpoint(&self) -> Vec<u8> {
-        SavedRun::new(&self.plan, &self.settings, self.session.checkpoint()).to_bytes()
+        SavedRun::new(&self.plan.arrangement.targets, &self.settings, self.session.checkpoint()).to_bytes()
     }
 
     /// Goes on from a checkpoint of a run of the same drawings: with the same settings bit for bit as if it had never
@@ -346,7 +346,7 @@ impl Run {
         checkpoint: &[u8],
         progress: &mut dyn FnMut(f32) -> bool,
     ) -> Result<Run> {
-        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan, settings)?;
+        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.arrangement.targets, settings)?;
         let (targets, moved_before) = plan.targets_to_fit(settings, progress)?;
         // The wire as it was grown is gone; only its form counts now.
         let problem = plan.problem(saved.wire().clone(), targets, settings);
@@ -437,14 +437,6 @@ impl Run {
             mirrored: placement.orientation.mirrored,
             quarter_turns: placement.orientation.quarter_turns,
         });
-        let events = self.session.events().iter().map(|event| EventReport {
-            iteration: event.iteration,
-            kind: serde_json::to_value(event.kind)
-                .ok()
-                .and_then(|kind| kind.as_str().map(str::to_owned))
-                .unwrap_or_default(),
-            count: event.count,
-        });
         let Place { backend, device, .. } = self.session.place();
         Report {
             task: "multiview".into(),
@@ -456,21 +448,12 @@ impl Run {
             time,
             result: self.result(),
             arrangement: arrangement.collect(),
-            events: events.collect(),
+            events: event_reports(&self.session),
         }
     }
 
     /// The loss of every iteration, term by term, as `loss.csv`.
     pub fn loss_csv(&self) -> String {
-        let history = self.session.history();
-        let mut text = format!("iteration,{}\n", history.columns.join(","));
-        for (iteration, row) in history.rows().enumerate() {
-            text.push_str(&iteration.to_string());
-            for value in row {
-                text.push_str(&format!(",{value:e}"));
-            }
-            text.push('\n');
-        }
-        text
+        self.session.history().to_csv()
     }
 }

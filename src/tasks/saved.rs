@@ -1,6 +1,5 @@
 //! A run as bytes: the session's state and what it must be resumed with.
 
-use super::multiview::Plan;
 use crate::optimize::Checkpoint;
 use crate::settings::Settings;
 use crate::view::Target;
@@ -13,7 +12,28 @@ const HEADING: [u8; 4] = *b"W4R\x01";
 const HEADING_BYTES: usize = 8;
 
 /// Settings that make the pictures that are fitted: a run with others is another run.
-const PICTURES: &[&str] = &["size", "arrange", "may_swap", "may_mirror", "may_turn", "min_stroke", "max_stretch"];
+const PICTURES: &[&str] = &[
+    "size",
+    "arrange",
+    "may_swap",
+    "may_mirror",
+    "may_turn",
+    "min_stroke",
+    "max_stretch",
+    "shading",
+    "hatch",
+    "outline",
+    "tone",
+    "edges",
+    "roundness",
+    "most_depth",
+    "relief",
+    "side_views",
+    "control_points",
+    "min_width",
+    "max_width",
+    "seed",
+];
 /// Settings that say what else a run's state consists of.
 const STATE: &[&str] = &["form", "bend"];
 
@@ -27,8 +47,8 @@ pub(super) struct SavedRun {
 }
 
 impl SavedRun {
-    pub(super) fn new(plan: &Plan, settings: &Settings, session: Checkpoint) -> SavedRun {
-        SavedRun { pictures: fingerprint(&plan.arrangement.targets), settings: settings.to_texts(), session }
+    pub(super) fn new(targets: &[Target], settings: &Settings, session: Checkpoint) -> SavedRun {
+        SavedRun { pictures: fingerprint(targets), settings: settings.to_texts(), session }
     }
 
     pub(super) fn to_bytes(&self) -> Vec<u8> {
@@ -64,7 +84,7 @@ impl SavedRun {
     ///
     /// # Errors
     /// [`Error::Input`] for other drawings, [`Error::Setting`] for a setting that makes it another run.
-    pub(super) fn for_run(self, plan: &Plan, settings: &Settings) -> Result<Checkpoint> {
+    pub(super) fn for_run(self, targets: &[Target], settings: &Settings) -> Result<Checkpoint> {
         let now = settings.to_texts();
         let changed = |name: &&&str| self.settings.get(**name) != now.get(**name);
         let refuse = |name: &str| {
@@ -76,7 +96,7 @@ impl SavedRun {
         if let Some(name) = STATE.iter().find(changed) {
             return Err(refuse(name));
         }
-        if self.pictures != fingerprint(&plan.arrangement.targets) {
+        if self.pictures != fingerprint(targets) {
             return Err(PICTURES.iter().find(changed).map_or_else(
                 || Error::input("checkpoint", "it is of other drawings", "bring those back, or start a new run"),
                 |name| refuse(name),

@@ -81,7 +81,7 @@ impl Picture {
     }
 
     /// Squares of `factor` pixels made one, colours weighted by their alpha. Leftover columns and rows make smaller cells.
-    fn averaged(&self, factor: usize) -> Picture {
+    pub(super) fn averaged(&self, factor: usize) -> Picture {
         let (width, height) = (self.width.div_ceil(factor), self.height.div_ceil(factor));
         let mut rgba = Vec::with_capacity(width * height * 4);
         for y in 0..height {
@@ -208,7 +208,7 @@ fn guess_polarity(pixels: &[(f32, f32)], width: usize, height: usize) -> Polarit
 }
 
 /// Otsu's threshold (1979) of values in 0 to 1, halfway between the two classes' means; 0.5 for a single value.
-fn otsu(values: impl Iterator<Item = f32>) -> f32 {
+pub(super) fn otsu(values: impl Iterator<Item = f32>) -> f32 {
     let mut histogram = [0u64; 256];
     for value in values {
         histogram[(value.clamp(0.0, 1.0) * 255.0).round() as usize] += 1;
@@ -259,7 +259,7 @@ fn stretch(image: &mut Image) -> bool {
 }
 
 /// The value below which `share` of the values lie; reorders them. 0 without values.
-fn quantile(values: &mut [f32], share: f64) -> f32 {
+pub(super) fn quantile(values: &mut [f32], share: f64) -> f32 {
     if values.is_empty() {
         return 0.0;
     }

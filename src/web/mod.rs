@@ -6,7 +6,7 @@ mod pictures;
 mod preview;
 mod run;
 
-use crate::settings::{Preset, Settings, TABLE};
+use crate::settings::{Group, Preset, Settings, TABLE};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -25,7 +25,9 @@ pub fn settings_table() -> String {
         .zip(Preset::WORDS)
         .map(|(&preset, word)| (word, Settings::preset(preset).to_texts()))
         .collect();
-    json(&serde_json::json!({ "rows": TABLE, "presets": presets }))
+    // One picture alone has no place on the page yet.
+    let rows: Vec<_> = TABLE.iter().filter(|row| row.group != Group::Stroke).collect();
+    json(&serde_json::json!({ "rows": rows, "presets": presets }))
 }
 
 /// Where a fit with this `backend` (a word of the setting) will be computed, and why, as JSON: `{backend, device, why}`.

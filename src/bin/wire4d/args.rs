@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::path::PathBuf;
-use wire4d::settings::{Kind, Settings, TABLE};
+use wire4d::settings::{Group, Kind, Preset, Setting, Settings, TABLE};
 use wire4d::{Error, Result};
 
 /// The whole command line.
@@ -30,13 +30,29 @@ pub fn command() -> Command {
                         .allow_hyphen_values(true)
                         .help("One more picture, seen from this direction in degrees; all pictures are then placed as given"),
                 )
-                .arg(file("out", "Folder to make for the wire, its pictures and the report").long("out").required(true))
+                .arg(out_folder())
+                .arg(overwrite()),
+            Settings::preset,
+            Group::Stroke,
+        ))
+        .subcommand(with_settings(
+            Command::new("stroke")
+                .about("One picture to a wire that shows it from the front and makes sense as it turns")
+                .arg(file("picture", "The picture: PNG, JPEG or WebP").value_name("PICTURE").required(true))
+                .arg(file("mask", "What of it is the object: a picture, white on black").long("mask"))
+                .arg(file("depth", "How near each of its pixels is: a picture of its size, light is near").long("depth"))
                 .arg(
-                    Arg::new("overwrite")
-                        .long("overwrite")
-                        .action(ArgAction::SetTrue)
-                        .help("Replace what an earlier run left in the folder"),
-                ),
+                    Arg::new("view")
+                        .long("view")
+                        .value_name("PICTURE@AZIMUTH,ELEVATION")
+                        .action(ArgAction::Append)
+                        .allow_hyphen_values(true)
+                        .help("The same object from another side, a direction in degrees; its outline shapes the solid"),
+                )
+                .arg(out_folder())
+                .arg(overwrite()),
+            Settings::stroke_preset,
+            Group::Views,
         ))
         .subcommand(
             Command::new("render")
@@ -105,6 +121,17 @@ fn file(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name).value_parser(value_parser!(PathBuf)).help(help).value_name("FILE")
 }
 
+fn out_folder() -> Arg {
+    file("out", "Folder to make for the wire, its pictures and the report").long("out").required(true)
+}
+
+fn overwrite() -> Arg {
+    Arg::new("overwrite")
+        .long("overwrite")
+        .action(ArgAction::SetTrue)
+        .help("Replace what an earlier run left in the folder")
+}
+
 fn wire() -> Arg {
     file("wire", "A wire.json").value_name("WIRE").required(true)
 }
@@ -118,11 +145,17 @@ fn view() -> Arg {
         .help("One of the wire's views by name, or a direction in degrees")
 }
 
-fn with_settings(command: Command) -> Command {
-    let command = TABLE.iter().fold(command, |command, row| {
+/// The settings a verb has flags for: all but those of a group that is another verb's.
+fn rows(foreign: Group) -> impl Iterator<Item = &'static Setting> {
+    TABLE.iter().filter(move |row| row.group != foreign)
+}
+
+fn with_settings(command: Command, presets: fn(Preset) -> Settings, foreign: Group) -> Command {
+    let defaults = presets(Preset::Best).to_map();
+    let command = rows(foreign).fold(command, |command, row| {
         let flag = row.name.replace('_', "-");
         let unit = if row.unit.is_empty() { String::new() } else { format!(" ({})", row.unit) };
-        let default = Settings::default().to_map()[row.name].to_string().replace('"', "");
+        let default = defaults[row.name].to_string().replace('"', "");
         if row.kind == Kind::Switch {
             let no = format!("no-{flag}");
             return command.arg(Arg::new(row.name).long(flag).action(ArgAction::SetTrue).help(row.help)).arg(
@@ -157,9 +190,10 @@ fn with_settings(command: Command) -> Command {
 }
 
 /// The settings a run was given, later flags over earlier ones over the preset.
-pub fn settings(matches: &ArgMatches) -> Result<Settings> {
+pub fn settings(matches: &ArgMatches, presets: fn(Preset) -> Settings) -> Result<Settings> {
     let mut pairs: Vec<(String, String)> = Vec::new();
-    for row in TABLE {
+    let known = |row: &&Setting| matches.try_contains_id(row.name).is_ok();
+    for row in TABLE.iter().filter(known) {
         if row.kind == Kind::Switch {
             if matches.get_flag(row.name) {
                 pairs.push((row.name.into(), "on".into()));
@@ -177,7 +211,7 @@ pub fn settings(matches: &ArgMatches) -> Result<Settings> {
         };
         pairs.push((name.trim().into(), text.trim().into()));
     }
-    Settings::from_pairs(pairs.iter().map(|(name, text)| (name.as_str(), text.as_str())))
+    Settings::from_pairs_over(presets, pairs.iter().map(|(name, text)| (name.as_str(), text.as_str())))
 }
 
 /// A file argument that clap guarantees.

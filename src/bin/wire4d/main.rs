@@ -3,7 +3,9 @@
 
 mod args;
 mod folder;
+mod making;
 mod multiview;
+mod stroke;
 mod wires;
 
 use std::process::ExitCode;
@@ -27,6 +29,7 @@ fn main() -> ExitCode {
 fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
     match matches.subcommand() {
         Some(("multiview", matches)) => multiview::run(matches),
+        Some(("stroke", matches)) => stroke::run(matches),
         Some(("render", matches)) => wires::render(matches),
         Some(("metrics", matches)) => wires::metrics(matches),
         Some(("export", matches)) => wires::export(matches),

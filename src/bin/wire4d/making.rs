@@ -1,0 +1,121 @@
+//! What all verbs that make something share: Ctrl-C, the progress bar, the clock, and the folder's common files.
+
+use crate::folder::Folder;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+use wire4d::export::{ExportOptions, Format, export};
+use wire4d::metrics::{Report, TimeReport};
+use wire4d::optimize::Session;
+use wire4d::sculpture::Sculpture;
+use wire4d::tasks::{multiview, stroke};
+use wire4d::view::{GreyDepth, Image, encode_png};
+use wire4d::{Error, Result};
+
+/// Iterations between two looks at the clock and at Ctrl-C.
+const SLICE: usize = 16;
+
+/// A run of any task.
+pub trait Fit {
+    fn step(&mut self, count: usize);
+    fn session(&self) -> &Session;
+}
+
+impl Fit for multiview::Run {
+    fn step(&mut self, count: usize) {
+        multiview::Run::step(self, count);
+    }
+    fn session(&self) -> &Session {
+        multiview::Run::session(self)
+    }
+}
+
+impl Fit for stroke::Run {
+    fn step(&mut self, count: usize) {
+        stroke::Run::step(self, count);
+    }
+    fn session(&self) -> &Session {
+        stroke::Run::session(self)
+    }
+}
+
+/// A verb at work.
+pub struct Making {
+    pub bar: ProgressBar,
+    quiet: bool,
+    stop: Arc<AtomicBool>,
+    begin: Instant,
+}
+
+impl Making {
+    /// Ctrl-C stops the run and keeps what there is; a second one ends the program. Without a handler the first does.
+    pub fn new(folder: &Folder, quiet: bool) -> Making {
+        let stop = Arc::new(AtomicBool::new(false));
+        let seen = Arc::clone(&stop);
+        let partial = folder.partial().to_owned();
+        let _ = ctrlc::set_handler(move || {
+            if seen.swap(true, Ordering::Relaxed) {
+                let _ = std::fs::remove_dir_all(&partial);
+                std::process::exit(130);
+            }
+        });
+        Making { bar: progress_bar(quiet), quiet, stop, begin: Instant::now() }
+    }
+
+    /// Says something also where no bar is drawn: in a script or a log.
+    pub fn say(&self, note: &str) {
+        if self.bar.is_hidden() && !self.quiet {
+            eprintln!("{note}");
+        }
+        self.bar.println(note);
+    }
+
+    pub fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    /// Fits to the end, or until somebody stops it, and says where the time went.
+    pub fn fit(&self, run: &mut dyn Fit) -> TimeReport {
+        let start_s = self.begin.elapsed().as_secs_f64();
+        self.bar.set_length(run.session().total() as u64);
+        self.bar.set_message("Fitting");
+        while !run.session().is_done() && !self.is_stopped() {
+            run.step(SLICE);
+            self.bar.set_position(run.session().iteration() as u64);
+        }
+        if let Some(trouble) = run.session().engine_trouble() {
+            self.say(&format!("went on on the processor: {trouble}"));
+        }
+        self.bar.set_message("Measuring");
+        let total_s = self.begin.elapsed().as_secs_f64();
+        let (optimize_s, iterations) = (total_s - start_s, run.session().iteration());
+        let ms_per_iteration = 1000.0 * optimize_s / iterations.max(1) as f64;
+        TimeReport { total_s, start_s, optimize_s, iterations, ms_per_iteration }
+    }
+}
+
+/// The files of every run but its pictures.
+pub fn save(folder: &Folder, made: &Sculpture, report: &Report, loss_csv: &str) -> Result<()> {
+    folder.write("wire.json", made.to_json().as_bytes())?;
+    folder.write("wire.glb", &export(made, Format::Glb, None, &ExportOptions::default())?)?;
+    folder.write("loss.csv", loss_csv.as_bytes())?;
+    let text = serde_json::to_string_pretty(report)
+        .map_err(|error| Error::output("report.json", error.to_string(), "report this, it should not happen"))?;
+    folder.write("report.json", text.as_bytes())
+}
+
+/// A picture of a view, `NAMESUFFIX.png`.
+pub fn save_picture(folder: &Folder, name: &str, suffix: &str, picture: &Image, depth: GreyDepth) -> Result<()> {
+    let file = format!("{name}{suffix}.png");
+    folder.write(&file, &encode_png(&file, picture, depth)?)
+}
+
+fn progress_bar(quiet: bool) -> ProgressBar {
+    // Indicatif draws on standard error and only if it is a terminal.
+    let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(100) };
+    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}") {
+        bar.set_style(style);
+    }
+    bar
+}

@@ -1,0 +1,56 @@
+//! `wire4d stroke`: one picture in, a folder with the wire, its views and the report out.
+
+use crate::making::{Making, save, save_picture};
+use crate::{args, folder::Folder};
+use clap::ArgMatches;
+use std::path::{Path, PathBuf};
+use wire4d::settings::Settings;
+use wire4d::tasks::stroke::{self, Given, Run};
+use wire4d::view::{GreyDepth, Image, parse_placed_picture, read_picture};
+use wire4d::{Result, sculpture};
+
+pub fn run(matches: &ArgMatches) -> Result<()> {
+    let settings = args::settings(matches, Settings::stroke_preset)?;
+    let given = given(matches)?;
+    let out = args::path(matches, "out");
+    let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
+    let making = Making::new(&folder, matches.get_flag("quiet"));
+    making.bar.set_message("Finding the object");
+    let plan = stroke::plan(&given, &settings)?;
+    plan.notes().iter().for_each(|note| making.say(note));
+    making.bar.set_message("Laying a first wire");
+    let mut run = Run::start(plan, &settings)?;
+    let time = making.fit(&mut run);
+    let report = run.report(time, !run.session().is_done());
+
+    let made = run.sculpture();
+    save(&folder, &made, &report, &run.loss_csv())?;
+    for target in &run.plan().targets {
+        let name = &target.view.name;
+        save_picture(&folder, name, "", &sculpture::render(&made.wire, &target.view), GreyDepth::Bits16)?;
+        save_picture(&folder, name, "-target", &target.ink, GreyDepth::Bits8)?;
+    }
+    save_picture(&folder, "mask", "", &run.plan().object.mask, GreyDepth::Bits8)?;
+    making.bar.finish_and_clear();
+    folder.finish()?;
+    println!("{}", out.join("report.json").display());
+    Ok(())
+}
+
+fn given(matches: &ArgMatches) -> Result<Given> {
+    let optional = |name: &str| matches.get_one::<PathBuf>(name).map(|path| read_picture(path)).transpose();
+    let mask = optional("mask")?.map(|mask| {
+        let data = mask.rgba().chunks_exact(4).map(|p| f32::from(p[1]) / 255.0 * f32::from(p[3]) / 255.0);
+        Image { width: mask.width(), height: mask.height(), data: data.collect() }
+    });
+    let others = matches.get_many::<String>("view").into_iter().flatten().map(|text| {
+        let (path, seen_from) = parse_placed_picture(text)?;
+        Ok((read_picture(Path::new(&path))?, seen_from))
+    });
+    Ok(Given {
+        picture: read_picture(args::path(matches, "picture"))?,
+        mask,
+        depth: optional("depth")?,
+        others: others.collect::<Result<_>>()?,
+    })
+}

@@ -1,0 +1,398 @@
+//! One picture to a wire that shows it from the front and still makes sense as it turns.
+//!
+//! [`plan`] finds the object, guesses the solid behind it and says what the wire should show from the front and from sides
+//! drawn from the seed; [`Run::start`] lays the first wire; the rest is as in [`super::multiview`].
+//!
+//! A wire is ink or blank, so a grey picture cannot be met: half the pixels of an even grey are wrong however it is
+//! hatched, and the fit settles on strands that are nowhere. So the front's target is a picture of lines as wide as the
+//! picture is dark ([`Lines`]). Nor can a wire fill a silhouette without spoiling the front, so each side's target is what
+//! it shows of the same lines on the solid's surface, cut off at its silhouette. (A faint silhouette instead bends the
+//! wire to and fro in depth: every strand then wants to hide behind another.) A start that knows no lines gets the faint
+//! silhouette: inside it a blank pixel costs about as much as an inked one, while ink beside the solid costs the most.
+
+use super::engine::engine;
+use super::fit::{event_reports, recipe};
+use super::saved::SavedRun;
+use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
+use crate::optimize::{Event, Place, Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
+use crate::rng::Rng;
+use crate::sculpture::{MadeWith, Sculpture, render};
+use crate::settings::{Preset, Settings, Shading, StrokeStart};
+use crate::start::{self, LineOptions, Lines, Solid, SolidOptions};
+use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
+use crate::wire::{Form, Wire};
+use crate::{Error, Result};
+
+/// What a person gives.
+#[derive(Debug, Clone)]
+pub struct Given {
+    /// The picture.
+    pub picture: Picture,
+    /// What of it is the object, 0 to 1, any size; `None` finds it.
+    pub mask: Option<Image>,
+    /// How near each of its pixels is, light is near; of the picture's size. `None` guesses.
+    pub depth: Option<Picture>,
+    /// The same object from other sides.
+    pub others: Vec<(Picture, ViewSpec)>,
+}
+
+impl Given {
+    /// One picture and nothing else.
+    pub fn picture(picture: Picture) -> Given {
+        Given { picture, mask: None, depth: None, others: Vec::new() }
+    }
+}
+
+/// The object, its solid and what the wire should show, before anything is fitted.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// The object as it was found, of the picture's own aspect.
+    pub object: Object,
+    /// The solid behind it.
+    pub solid: Solid,
+    /// What the report compares with: the front's ink, then the solid's silhouette from each side.
+    pub targets: Vec<Target>,
+    /// Names of the pictures as given: the front's, then the other sides'.
+    sources: Vec<String>,
+    /// The object's lines.
+    lines: Lines,
+    notes: Vec<String>,
+}
+
+/// Margin round the object in its picture, as a share of the picture's side.
+const MARGIN: f64 = 0.08;
+/// World height of the pictures of the sides: the unit ball with a margin.
+const SIDE_HEIGHT_WORLD: f64 = 2.2;
+/// Elevations from which sides are drawn, degrees.
+const ELEVATIONS: [f64; 2] = [-10.0, 80.0];
+/// Ink of the sides' targets where the solid is.
+const SIDE_INK: f32 = 0.4;
+/// Path between two control points where their number is given, px at 256: fewer points, sparser lines.
+const PATH_PER_POINT_PX: f64 = 12.0;
+/// Sparsest and densest lines tried for a given number of control points, px at 256.
+const HATCHES: [f64; 2] = [4.0, 96.0];
+/// Most control points of the first wire where the start chooses.
+const MOST_FIRST_POINTS: f64 = 1800.0;
+/// Width of the first wire on the solid's back and between lines, px at 256.
+const THIN_PX: f64 = 1.4;
+/// The paper's least number of control points.
+const FEWEST_TOUR_POINTS: usize = 100;
+/// Width of a tour's first wire, px at 256.
+const TOUR_WIDTH_PX: f64 = 3.0;
+
+/// Finds the object, its solid and the targets.
+///
+/// # Errors
+/// As [`find_object`] for each picture; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
+/// sides contradict each other.
+pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
+    settings.check()?;
+    let name = given.picture.name();
+    let object = find_object(&given.picture, given.mask.as_ref())?;
+    let mut notes = object.notes.clone();
+    let Some(part) = object.mask.threshold(0.5).bounding_box() else {
+        return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
+    };
+    let margin_px = MARGIN * OBJECT_PX as f64;
+    let laid = |image: &Image| image.letterboxed(part, OBJECT_PX, OBJECT_PX, margin_px, false);
+    let (mask, body, tone) = (laid(&object.mask), laid(&object.body), laid(&object.tone));
+
+    let options = SolidOptions { roundness: settings.roundness, most_depth: settings.most_depth };
+    let mut solid = Solid::inflated(name, &body, &options)?;
+    let height_px = body.threshold(0.5).bounding_box().map_or(OBJECT_PX, |part| part.height());
+    let others = other_sides(given, height_px, solid.height_world(), &mut notes)?;
+    if !others.is_empty() {
+        solid = solid.carved(&others)?;
+    }
+    if let Some(depth) = &given.depth {
+        solid = solid.with_depth(&laid(&nearness(depth, &given.picture, &object)?));
+    }
+    if settings.relief > 0.0 {
+        let lightness = Image { data: tone.data.iter().map(|tone| 1.0 - tone).collect(), ..tone };
+        solid = solid.with_relief(&lightness, settings.relief);
+    }
+
+    let drawn = body != mask;
+    let lines = lines(&mask, &tone, drawn, &solid, settings);
+    let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
+    let ink = match settings.shading {
+        Shading::Lines => lines.ink(settings.size),
+        Shading::Grey => lines.grey(settings.size),
+    };
+    let mut targets = vec![Target { view: front, ink }];
+    let given_sides = others.into_iter().map(|(view, _)| view);
+    for view in given_sides.chain(side_views(settings)) {
+        let view = View::with_size(&view, settings.size, settings.size);
+        targets.push(Target { ink: solid.silhouette(&view), view });
+    }
+    let names = std::iter::once(&given.picture).chain(given.others.iter().map(|other| &other.0));
+    let sources = names.map(|picture| picture.name().to_owned()).collect();
+    Ok(Plan { object, solid, targets, sources, lines, notes })
+}
+
+/// The silhouettes from other sides, as high as the front's, and the views they are seen from.
+fn other_sides(
+    given: &Given,
+    height_px: usize,
+    height_world: f64,
+    notes: &mut Vec<String>,
+) -> Result<Vec<(View, Image)>> {
+    let each = given.others.iter().map(|(picture, seen_from)| {
+        let object = find_object(picture, None)?;
+        notes.extend(object.notes);
+        let view = seen_from.resolve(&[], height_world, OBJECT_PX)?;
+        let part =
+            object.body.threshold(0.5).bounding_box().ok_or_else(|| {
+                Error::picture(picture.name(), "shows no object", "use a picture with a larger object")
+            })?;
+        let half = 0.5 * OBJECT_PX as f64 * part.height() as f64 / height_px as f64;
+        let [x, y] = [0.5 * (part.left + part.right) as f64, 0.5 * (part.top + part.bottom) as f64];
+        Ok((view, object.body.window([x - half, y - half, x + half, y + half], OBJECT_PX, OBJECT_PX)))
+    });
+    each.collect()
+}
+
+/// A depth picture as nearness over the object's picture.
+fn nearness(depth: &Picture, picture: &Picture, object: &Object) -> Result<Image> {
+    let (width, height) = (depth.width(), depth.height());
+    if (width, height) != (picture.width(), picture.height()) {
+        let problem = format!("is {width} x {height} px, and its picture {} x {}", picture.width(), picture.height());
+        return Err(Error::picture(depth.name(), problem, "give a depth picture of the same size"));
+    }
+    let grey = |p: &[u8]| (f32::from(p[0]) + f32::from(p[1]) + f32::from(p[2])) / 765.0;
+    let data = depth.rgba().chunks_exact(4).map(grey).collect();
+    Ok(Image { width, height, data }.resized(object.mask.width, object.mask.height))
+}
+
+/// The object's lines: as close as the settings say, or as close as the number of control points allows.
+fn lines(mask: &Image, tone: &Image, drawn: bool, solid: &Solid, settings: &Settings) -> Lines {
+    let draw = |spacing_px: f64| {
+        let options = LineOptions {
+            spacing_px,
+            outline_px: settings.outline,
+            edges: settings.edges,
+            tone: settings.tone,
+            width_px: [settings.min_width, settings.max_width],
+        };
+        Lines::draw(mask, tone, drawn, &options)
+    };
+    if settings.control_points == 0 || settings.stroke_start != StrokeStart::Contour {
+        return draw(settings.hatch);
+    }
+    let most = settings.control_points as f64 * PATH_PER_POINT_PX * solid.height_world() / 256.0;
+    let [mut dense, mut sparse] = HATCHES;
+    for _ in 0..5 {
+        let middle = (dense * sparse).sqrt();
+        if start::length(&draw(middle).walk(solid, 0.0)) > most { dense = middle } else { sparse = middle }
+    }
+    draw(sparse)
+}
+
+/// Views from all round, drawn from the seed: azimuths evenly spread, elevations at random.
+fn side_views(settings: &Settings) -> Vec<View> {
+    let mut rng = Rng::new(settings.seed, 0x7369_6465);
+    let count = settings.side_views;
+    let first = rng.unit();
+    let each = (0..count).map(|k| {
+        let azimuth = (360.0 * (k as f64 + first + rng.range(-0.25, 0.25)) / count as f64).round().rem_euclid(360.0);
+        let elevation = rng.range(ELEVATIONS[0], ELEVATIONS[1]).round();
+        let name = format!("{azimuth},{elevation}");
+        View::orthographic(&name, azimuth.to_radians(), elevation.to_radians(), SIDE_HEIGHT_WORLD, settings.size)
+    });
+    each.collect()
+}
+
+impl Plan {
+    /// What a person should know before the run, in plain words.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// World units in one pixel of a 256 px picture of the front.
+    fn world_per_px_256(&self) -> f64 {
+        self.solid.height_world() / 256.0
+    }
+
+    fn first_wire(&self, settings: &Settings) -> Result<Wire> {
+        let px = self.world_per_px_256();
+        let count = if settings.control_points == 0 { FEWEST_TOUR_POINTS } else { settings.control_points };
+        let tour_width = TOUR_WIDTH_PX * px;
+        let wire = match settings.stroke_start {
+            StrokeStart::Contour => {
+                let path = self.lines.walk(&self.solid, settings.min_width.max(THIN_PX) * px);
+                let finest = start::length(&path) / MOST_FIRST_POINTS;
+                match settings.control_points {
+                    0 => start::wire_along(&path, (settings.spacing * px).max(finest))?,
+                    count => start::wire_with(&path, count)?,
+                }
+            }
+            // The points of the tour are the control points (the paper's choice).
+            StrokeStart::Points => Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?,
+            StrokeStart::Ball => {
+                Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?
+            }
+        };
+        if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
+    }
+
+    /// The fit of `wire`; `first` is the first wire.
+    fn problem(&self, wire: Wire, first: &Wire, settings: &Settings) -> Problem {
+        let px = self.world_per_px_256();
+        let side = |target: &Target| {
+            let mut ink = target.ink.clone();
+            match settings.stroke_start {
+                StrokeStart::Contour => {
+                    let lines = render(first, &target.view);
+                    ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
+                }
+                StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
+            }
+            Target { view: target.view.clone(), ink }
+        };
+        let (front, sides) = (&self.targets[..1], &self.targets[1..]);
+        let side_weight = settings.side_weight / sides.len().max(1) as f64;
+        let mut recipe = recipe(settings);
+        if settings.preset == Preset::Paper {
+            for event in &mut recipe.topology {
+                if let TopologyEdit::Refine(refine) = &mut event.edit {
+                    *refine = Refine { share: 5.0 / 6.0, ..refine.clone() };
+                }
+            }
+        }
+        Problem {
+            wire,
+            targets: front.iter().cloned().chain(sides.iter().map(side)).collect(),
+            view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
+            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
+            recipe,
+            seed: settings.seed,
+        }
+    }
+}
+
+/// A fit under way.
+pub struct Run {
+    plan: Plan,
+    settings: Settings,
+    session: Session,
+}
+
+impl Run {
+    /// Lays the first wire and readies the fit.
+    ///
+    /// # Errors
+    /// As [`Problem::check`]; [`Error::Device`] if a graphics card is asked for and there is none that computes rightly.
+    pub fn start(plan: Plan, settings: &Settings) -> Result<Run> {
+        wait(Run::start_async(plan, settings))
+    }
+
+    /// [`Run::start`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::start`].
+    pub async fn start_async(plan: Plan, settings: &Settings) -> Result<Run> {
+        let engine = engine(settings.backend).await?;
+        let wire = plan.first_wire(settings)?;
+        let session = Session::with_engine(plan.problem(wire.clone(), &wire, settings), engine)?;
+        Ok(Run { plan, settings: settings.clone(), session })
+    }
+
+    /// The whole state, to go on from later: see [`Run::resume`].
+    pub fn checkpoint(&self) -> Vec<u8> {
+        SavedRun::new(&self.plan.targets, &self.settings, self.session.checkpoint()).to_bytes()
+    }
+
+    /// Goes on from a checkpoint of a run of the same picture: with the same settings bit for bit as if it had never been
+    /// interrupted, with others from here on as these say.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for bytes that are no checkpoint, damaged or of another picture; [`Error::Setting`] for a setting
+    /// that would have made it another run.
+    pub fn resume(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
+        wait(Run::resume_async(plan, settings, checkpoint))
+    }
+
+    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::resume`].
+    pub async fn resume_async(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
+        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.targets, settings)?;
+        let problem = plan.problem(saved.wire().clone(), &plan.first_wire(settings)?, settings);
+        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
+        Ok(Run { plan, settings: settings.clone(), session })
+    }
+
+    /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
+    pub fn step(&mut self, count: usize) -> Vec<Event> {
+        self.session.step(count)
+    }
+
+    /// [`Run::step`] where the thread has other things to do while a device computes.
+    pub async fn step_async(&mut self, count: usize) -> Vec<Event> {
+        self.session.step_async(count).await
+    }
+
+    /// The object, its solid and the targets.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// The session, for its progress, history and pictures.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The settings it runs with.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The best wire so far with its views: the front, then the sides.
+    pub fn sculpture(&self) -> Sculpture {
+        Sculpture {
+            wire: self.session.best(),
+            views: self.plan.targets.iter().map(|target| target.view.clone()).collect(),
+            made_with: MadeWith {
+                task: "stroke".into(),
+                seed: self.settings.seed,
+                settings: self.settings.to_map(),
+                ..MadeWith::default()
+            },
+        }
+    }
+
+    /// The `result` part of a report: the front against its ink, the sides against the solid's silhouettes.
+    pub fn result(&self) -> ResultReport {
+        let pictures: Vec<_> = self.plan.targets.iter().map(|target| Some(target.ink.clone())).collect();
+        ResultReport::measure(&self.sculpture(), &pictures)
+    }
+
+    /// A whole report. `time` comes from the caller, who has a clock.
+    pub fn report(&self, time: TimeReport, stopped: bool) -> Report {
+        let Place { backend, device, .. } = self.session.place();
+        let placed = self.plan.targets.iter().zip(&self.plan.sources).map(|(target, source)| ArrangementReport {
+            view: target.view.name.clone(),
+            source: source.clone(),
+            mirrored: false,
+            quarter_turns: 0,
+        });
+        Report {
+            task: "stroke".into(),
+            seed: self.settings.seed,
+            backend: backend.into(),
+            device,
+            settings: self.settings.to_map(),
+            stopped,
+            time,
+            result: self.result(),
+            arrangement: placed.collect(),
+            events: event_reports(&self.session),
+        }
+    }
+
+    /// The loss of every iteration, term by term, as `loss.csv`.
+    pub fn loss_csv(&self) -> String {
+        self.session.history().to_csv()
+    }
+}
