@@ -273,11 +273,11 @@ mod tests {
             assert!(found > 0.95, "{azimuth} {elevation}: {found}");
         }
         let flat = solid(&disc, 0.3);
-        let side = View::orthographic("side", 1.5708, 0.0, flat.height_world(), 256);
+        let side = View::orthographic("side", std::f64::consts::FRAC_PI_2, 0.0, flat.height_world(), 256);
         assert!(soft_iou(&flat.silhouette(&side), &disc) < 0.5, "the check can fail");
         let bar = picture(|x, y| x.abs() < 20.0 && y.abs() < 90.0);
         let rod = solid(&bar, 1.0);
-        let side = View::orthographic("side", 1.5708, 0.0, rod.height_world(), 256);
+        let side = View::orthographic("side", std::f64::consts::FRAC_PI_2, 0.0, rod.height_world(), 256);
         assert!(soft_iou(&rod.silhouette(&side), &bar) > 0.85);
     }
 
@@ -304,10 +304,10 @@ mod tests {
     fn other_sides_carve_and_depth_bends() {
         let disc = picture(|x, y| x.hypot(y) < 90.0);
         let round = solid(&disc, 0.9);
-        let side = View::orthographic("side", 1.5708, 0.0, round.height_world(), 256);
+        let side = View::orthographic("side", std::f64::consts::FRAC_PI_2, 0.0, round.height_world(), 256);
         let thin = picture(|x, y| x.abs() < 20.0 && y.abs() < 90.0);
         let carved = round.clone().carved(&[(side.clone(), thin.clone())]).unwrap();
-        let view = View::orthographic("side", 1.5708, 0.0, carved.height_world(), 256);
+        let view = View::orthographic("side", std::f64::consts::FRAC_PI_2, 0.0, carved.height_world(), 256);
         let front = View::orthographic("front", 0.0, 0.0, carved.height_world(), 256);
         assert!(soft_iou(&carved.silhouette(&view), &thin) > 0.85);
         assert!(soft_iou(&carved.silhouette(&front), &disc) > 0.93);
