@@ -33,7 +33,7 @@ pub fn command() -> Command {
                 .arg(out_folder())
                 .arg(overwrite()),
             Settings::preset,
-            Group::Stroke,
+            MULTIVIEW_FOREIGN,
         ))
         .subcommand(with_settings(
             Command::new("stroke")
@@ -52,7 +52,7 @@ pub fn command() -> Command {
                 .arg(out_folder())
                 .arg(overwrite()),
             Settings::stroke_preset,
-            Group::Views,
+            STROKE_FOREIGN,
         ))
         .subcommand(
             Command::new("render")
@@ -145,6 +145,11 @@ fn view() -> Arg {
         .help("One of the wire's views by name, or a direction in degrees")
 }
 
+/// Whose settings are none of `multiview`'s.
+pub const MULTIVIEW_FOREIGN: Group = Group::Stroke;
+/// Whose settings are none of `stroke`'s.
+pub const STROKE_FOREIGN: Group = Group::Views;
+
 /// The settings a verb has flags for: all but those of a group that is another verb's.
 fn rows(foreign: Group) -> impl Iterator<Item = &'static Setting> {
     TABLE.iter().filter(move |row| row.group != foreign)
@@ -189,11 +194,10 @@ fn with_settings(command: Command, presets: fn(Preset) -> Settings, foreign: Gro
         .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("No progress on the terminal"))
 }
 
-/// The settings a run was given, later flags over earlier ones over the preset.
-pub fn settings(matches: &ArgMatches, presets: fn(Preset) -> Settings) -> Result<Settings> {
+/// The settings a run was given, later flags over earlier ones over the preset; `foreign` as the verb has it.
+pub fn settings(matches: &ArgMatches, presets: fn(Preset) -> Settings, foreign: Group) -> Result<Settings> {
     let mut pairs: Vec<(String, String)> = Vec::new();
-    let known = |row: &&Setting| matches.try_contains_id(row.name).is_ok();
-    for row in TABLE.iter().filter(known) {
+    for row in rows(foreign) {
         if row.kind == Kind::Switch {
             if matches.get_flag(row.name) {
                 pairs.push((row.name.into(), "on".into()));

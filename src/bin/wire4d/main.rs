@@ -11,6 +11,9 @@ mod wires;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    // A layer of Mesa asks the desktop which card to prefer, and complains on standard error where there is none.
+    // SAFETY: no other thread is there yet.
+    unsafe { std::env::set_var("NODEVICE_SELECT", "1") };
     let matches = match args::command().try_get_matches() {
         Ok(matches) => matches,
         Err(error) if !error.use_stderr() => {

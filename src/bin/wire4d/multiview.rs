@@ -10,7 +10,7 @@ use wire4d::view::{GreyDepth, Image, ViewSpec, parse_placed_picture, read_pictur
 use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
-    let settings = args::settings(matches, Settings::preset)?;
+    let settings = args::settings(matches, Settings::preset, args::MULTIVIEW_FOREIGN)?;
     let drawings = drawings(matches, &settings)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;

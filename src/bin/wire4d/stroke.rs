@@ -10,7 +10,7 @@ use wire4d::view::{GreyDepth, Image, parse_placed_picture, read_picture};
 use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
-    let settings = args::settings(matches, Settings::stroke_preset)?;
+    let settings = args::settings(matches, Settings::stroke_preset, args::STROKE_FOREIGN)?;
     let given = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
