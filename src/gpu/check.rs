@@ -1,6 +1,7 @@
 //! What a device is asked before it is trusted: one iteration of small wires, compared with the processor's, and whether
 //! it is worth its while.
 
+use super::clock::now_ms;
 use super::{Absence, Device, GpuEngine};
 use crate::objective::Pyramid;
 use crate::optimize::{
@@ -93,9 +94,9 @@ pub async fn speed_up(device: &Device) -> f64 {
         let (mut tally, mut terms) = (Tally::new(points.len()), vec![0.0; ITERATIONS * term_count(scene.views.len())]);
         // The first ones pay for what is done once.
         for _ in 0..3 {
-            let begin_ms = super::now_ms();
+            let begin_ms = now_ms();
             engine.advance(&mut state, &mut tally, &steps, &mut terms).done().await;
-            taken_ms.push(super::now_ms() - begin_ms);
+            taken_ms.push(now_ms() - begin_ms);
         }
     }
     taken_ms[2] / taken_ms[5].max(1e-3)

@@ -7,7 +7,9 @@ mod absence;
 #[cfg(target_arch = "wasm32")]
 mod browser;
 mod buffers;
+mod calls;
 mod check;
+mod clock;
 mod compile;
 mod device;
 mod engine;
@@ -27,14 +29,3 @@ pub use layout::SHADER_LAYOUTS;
 pub use pipeline::Pipeline;
 pub use raster::GpuRaster;
 pub use stage::{STAGES, Slot, Stage};
-
-/// Milliseconds since some moment.
-fn now_ms() -> f64 {
-    #[cfg(target_arch = "wasm32")]
-    return js_sys::Date::now();
-    #[cfg(not(target_arch = "wasm32"))]
-    {
-        static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
-        START.get_or_init(std::time::Instant::now).elapsed().as_secs_f64() * 1e3
-    }
-}
