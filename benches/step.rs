@@ -1,6 +1,6 @@
 //! Milliseconds an iteration of a fit, everything included: three views at 128 px on the processor, then several sizes on
 //! a graphics card as well, if there is one. `cargo bench --bench step`; `-- card` only the latter, `-- card --quick` only
-//! its smallest size, for a program that stands in for a card (`WIRE4D_SOFTWARE_GPU`).
+//! its smallest size, for a program that stands in for a card (`--any`).
 
 use std::time::Instant;
 use wire4d::objective::{MultiscaleMse, Pyramid};
