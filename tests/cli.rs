@@ -246,6 +246,61 @@ fn drawings_that_share_nothing_are_refused() {
 }
 
 #[test]
+fn one_picture_becomes_a_stroke_with_everything_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let disc = |x: u32, y: u32| (f64::from(x) - 31.5).hypot(f64::from(y) - 31.5) < 20.0;
+    grey(&at("ball.png"), 64, |x, y| if disc(x, y) { (60 + 2 * y) as u8 } else { 255 });
+    grey(&at("mask.png"), 64, |x, y| if disc(x, y) && y < 40 { 255 } else { 0 });
+    grey(&at("near.png"), 64, |x, _| (4 * x) as u8);
+    let stroke = |out: &str, more: &[&str]| {
+        let (ball, out) = (at("ball.png"), at(out));
+        let quick = [
+            "stroke",
+            text(&ball),
+            "--out",
+            text(&out),
+            "--preset",
+            "fast",
+            "--size",
+            "64",
+            "--iterations",
+            "2",
+            "--seed",
+            "3",
+        ];
+        wire4d(&[&quick[..], more].concat())
+    };
+    let printed = succeeds(&stroke("plain", &[]));
+    assert_eq!(printed, text(&at("plain").join("report.json")));
+    let report = json(&at("plain").join("report.json"));
+    assert_eq!((&report["task"], &report["seed"], &report["stopped"]), (&"stroke".into(), &3.into(), &false.into()));
+    assert_eq!(report["settings"]["iterations"], 2);
+    assert_eq!(report["result"]["views"][0]["name"], "front");
+    for name in ["wire.json", "wire.glb", "loss.csv", "front.png", "front-target.png"] {
+        assert!(at("plain").join(name).exists(), "{name}");
+    }
+    succeeds(&stroke("again", &[]));
+    let wire = |out: &str| json(&at(out).join("wire.json"))["control_points"].clone();
+    assert_eq!(wire("plain"), wire("again"));
+    // What else is given about the object changes the wire.
+    let (mask, near) = (at("mask.png"), at("near.png"));
+    let side = format!("{}@90,0", text(&at("mask.png")));
+    for (name, more) in
+        [("mask", ["--mask", text(&mask)]), ("depth", ["--depth", text(&near)]), ("view", ["--view", &side])]
+    {
+        succeeds(&stroke(name, &more));
+        assert_ne!(wire("plain"), wire(name), "{name}");
+    }
+    refused(&stroke("bad", &["--may-swap"]), "--may-swap");
+    refused(&stroke("bad", &["--depth", text(&at("nowhere.png"))]), "nowhere.png");
+    refused(&stroke("bad", &["--set", "grid"]), "grid");
+    grey(&at("inverse.png"), 64, |x, y| if disc(x, y) { 0 } else { 255 });
+    refused(&stroke("bad", &["--mask", text(&at("inverse.png"))]), "a mask that is white on the object");
+    assert!(!at("bad").exists());
+}
+
+#[test]
 fn a_raster_scene_is_drawn_compared_and_timed() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);

@@ -278,7 +278,12 @@ fn chosen_part(whole: &Image, name: &str, given: bool, notes: &mut Vec<String>) 
     let covered = border.iter().filter(|&&i| solid.data[i] && groups.labels[i] as usize == largest + 1).count();
     if covered as f64 > MOST_BORDER * border.len() as f64 {
         let problem = "its object covers the border all round, so there is no ground to tell it from";
-        return Err(Error::picture(name, problem, "use a picture with some ground all round, or paint a mask"));
+        let remedy = if given {
+            "give a mask that is white on the object and black all round"
+        } else {
+            "use a picture with some ground all round, or paint a mask"
+        };
+        return Err(Error::picture(name, problem, remedy));
     }
     if covered > 0 {
         notes.push(format!("{name}: the object reaches the picture's border and is cut off there"));
