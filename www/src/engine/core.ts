@@ -77,7 +77,7 @@ async function load(): Promise<typeof core> {
 }
 
 const core = {
-  settings: (): SettingsTable => JSON.parse(wasm.settings_table()) as SettingsTable,
+  settings: (): SettingsTable => JSON.parse(wasm.settings_table("multiview")) as SettingsTable,
 
   place: async (backend: Backend): Promise<Place> => JSON.parse(await wasm.place(backend)) as Place,
 
