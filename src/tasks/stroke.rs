@@ -18,7 +18,7 @@ use crate::optimize::{Event, Place, Problem, Refine, Session, TopologyEdit, Widt
 use crate::rng::Rng;
 use crate::sculpture::{MadeWith, Sculpture, render};
 use crate::settings::{Preset, Settings, Shading, StrokeStart};
-use crate::start::{self, LineOptions, Lines, Solid, SolidOptions};
+use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
 use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
@@ -65,6 +65,8 @@ const MARGIN: f64 = 0.08;
 const SIDE_HEIGHT_WORLD: f64 = 2.2;
 /// Elevations from which sides are drawn, degrees.
 const ELEVATIONS: [f64; 2] = [-10.0, 80.0];
+/// Width of creases in the sides' targets, px at 256.
+const CREASE_PX: f64 = 2.0;
 /// Ink of the sides' targets where the solid is.
 const SIDE_INK: f32 = 0.4;
 /// Path between two control points where their number is given, px at 256: fewer points, sparser lines.
@@ -88,7 +90,7 @@ const TOUR_WIDTH_PX: f64 = 3.0;
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     settings.check()?;
     let name = given.picture.name();
-    let object = find_object(&given.picture, given.mask.as_ref())?;
+    let object = find_object(&given.picture, given.mask.as_ref(), settings.object)?;
     let mut notes = object.notes.clone();
     let Some(part) = object.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
@@ -112,8 +114,9 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
         solid = solid.with_relief(&lightness, settings.relief);
     }
 
-    let drawn = body != mask;
-    let lines = lines(&mask, &tone, drawn, &solid, settings);
+    let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
+    let all_seen = body != mask;
+    let lines = lines(&Subject { mask, tone, saliency, highlight, all_seen }, &solid, settings);
     let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
     let ink = match settings.shading {
         Shading::Lines => lines.ink(settings.size),
@@ -138,7 +141,7 @@ fn other_sides(
     notes: &mut Vec<String>,
 ) -> Result<Vec<(View, Image)>> {
     let each = given.others.iter().map(|(picture, seen_from)| {
-        let object = find_object(picture, None)?;
+        let object = find_object(picture, None, 1)?;
         notes.extend(object.notes);
         let view = seen_from.resolve(&[], height_world, OBJECT_PX)?;
         let part =
@@ -165,16 +168,19 @@ fn nearness(depth: &Picture, picture: &Picture, object: &Object) -> Result<Image
 }
 
 /// The object's lines: as close as the settings say, or as close as the number of control points allows.
-fn lines(mask: &Image, tone: &Image, drawn: bool, solid: &Solid, settings: &Settings) -> Lines {
+fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
     let draw = |spacing_px: f64| {
         let options = LineOptions {
+            hatching: settings.hatching,
             spacing_px,
             outline_px: settings.outline,
             edges: settings.edges,
             tone: settings.tone,
+            saliency: settings.saliency,
+            gloss: settings.gloss,
             width_px: [settings.min_width, settings.max_width],
         };
-        Lines::draw(mask, tone, drawn, &options)
+        Lines::draw(subject, &options)
     };
     if settings.control_points == 0 || settings.stroke_start != StrokeStart::Contour {
         return draw(settings.hatch);
@@ -235,21 +241,30 @@ impl Plan {
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
 
+    /// What the fit asks of the side seen in `view`: what it shows of the `first` wire within the solid, and faintly the
+    /// solid's outline and creases there, so that strands nearby move onto them.
+    pub(crate) fn side_target(&self, view: &View, first: &Wire, settings: &Settings) -> Target {
+        let mut ink = self.solid.silhouette(view);
+        match settings.stroke_start {
+            StrokeStart::Contour => {
+                let lines = render(first, view);
+                ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
+            }
+            StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
+        }
+        if settings.creases > 0.0 {
+            let creases = self.solid.creases(view, CREASE_PX * view.height_px as f64 / 256.0);
+            let wanted = |crease: &f32| settings.creases as f32 * crease;
+            ink.data.iter_mut().zip(&creases.data).for_each(|(ink, crease)| *ink = ink.max(wanted(crease)));
+        }
+        Target { view: view.clone(), ink }
+    }
+
     /// The fit of `wire`; `first` is the first wire.
     fn problem(&self, wire: Wire, first: &Wire, settings: &Settings) -> Problem {
         let px = self.world_per_px_256();
-        let side = |target: &Target| {
-            let mut ink = target.ink.clone();
-            match settings.stroke_start {
-                StrokeStart::Contour => {
-                    let lines = render(first, &target.view);
-                    ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
-                }
-                StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
-            }
-            Target { view: target.view.clone(), ink }
-        };
         let (front, sides) = (&self.targets[..1], &self.targets[1..]);
+        let side = |target: &Target| self.side_target(&target.view, first, settings);
         let side_weight = settings.side_weight / sides.len().max(1) as f64;
         let mut recipe = recipe(settings);
         if settings.preset == Preset::Paper {
