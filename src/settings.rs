@@ -104,18 +104,11 @@ choices! {
     Start {
         /// A tree grown through the drawings, walked there and back: one connected wire.
         Tree = "tree",
-        /// Points of the visual hull, joined by a short tour.
+        /// Along the outline and inwards, line by line, on the front and back of the solid behind one picture.
+        Contour = "contour",
+        /// Points inside what all pictures allow, joined by a short tour.
         Hull = "hull",
         /// Points in a ball, joined by a short tour (the paper's).
-        Ball = "ball",
-    }
-    /// Where the wire of one picture starts.
-    StrokeStart {
-        /// Along the outline and inwards, line by line, on the solid's front and back.
-        Contour = "contour",
-        /// Points spread evenly inside the solid, joined by a short tour (the paper's).
-        Points = "points",
-        /// Points in a ball, joined by a short tour.
         Ball = "ball",
     }
     /// What the front of one picture's wire should show.
@@ -296,8 +289,6 @@ settings! {
 
     Stroke /// Which of several objects, the largest first.
     object: usize = 1, "", Integer { min: 1, max: 999 };
-    Stroke /// Where the first wire comes from.
-    stroke_start: StrokeStart = StrokeStart::Contour, "", Choice { choices: StrokeStart::WORDS };
     Stroke /// What the front should show: lines as wide as the picture is dark, or its own greys.
     shading: Shading = Shading::Lines, "", Choice { choices: Shading::WORDS };
     Stroke /// Lines that fill run along the outline, or round the solid like slices; auto takes what suits its shape.
@@ -357,13 +348,41 @@ pub enum Task {
 }
 
 impl Task {
-    /// The settings it has, in the order people should see them.
-    pub fn rows(self) -> impl Iterator<Item = &'static Setting> {
-        TABLE.iter().filter(move |row| match self {
-            Task::Multiview => row.group != Group::Stroke,
-            // One picture has its own start, and nothing to be arranged with.
-            Task::Stroke => row.group != Group::Views && row.name != "start",
+    /// The settings it has, in the order people should see them, with the choices that it has.
+    pub fn rows(self) -> impl Iterator<Item = Setting> {
+        TABLE.iter().filter_map(move |row| match (self, self.choices(row.name)) {
+            (_, Some(choices)) => Some(Setting { kind: Choice { choices }, ..*row }),
+            (Task::Multiview, None) => (row.group != Group::Stroke).then_some(*row),
+            (Task::Stroke, None) => (row.group != Group::Views).then_some(*row),
         })
+    }
+
+    /// The choices it has where they are not the table's. One picture has nothing to agree with: only that can be said.
+    fn choices(self, name: &str) -> Option<&'static [&'static str]> {
+        match (self, name) {
+            (Task::Multiview, "start") => Some(&["tree", "hull", "ball"]),
+            (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
+            (Task::Stroke, "arrange") => Some(&["off"]),
+            (Task::Stroke, "bend") => Some(&["none"]),
+            _ => None,
+        }
+    }
+
+    /// Refuses values out of range, and choices of another task.
+    ///
+    /// # Errors
+    /// As [`Settings::check`], and [`Error::Setting`] for a choice that this task does not have.
+    pub fn check(self, settings: &Settings) -> Result<()> {
+        settings.check()?;
+        let values = settings.to_texts();
+        for name in ["start", "arrange", "bend"] {
+            let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
+            if !choices.contains(&value.as_str()) {
+                let problem = format!("{value:?} is for another kind of task");
+                return Err(Error::setting(name, problem, format!("give {}", choices.join(" or "))));
+            }
+        }
+        Ok(())
     }
 
     /// Its settings of a preset.
@@ -374,9 +393,11 @@ impl Task {
     /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
     ///
     /// # Errors
-    /// As [`Settings::set`] and [`Settings::check`].
+    /// As [`Settings::set`] and [`Task::check`].
     pub fn settings<'a>(self, pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
-        Settings::from_pairs_over(self.presets(), pairs)
+        let settings = Settings::from_pairs_over(self.presets(), pairs)?;
+        self.check(&settings)?;
+        Ok(settings)
     }
 
     fn presets(self) -> fn(Preset) -> Settings {
@@ -420,7 +441,8 @@ impl Settings {
 
     /// The settings of a preset for one picture.
     pub fn stroke_preset(preset: Preset) -> Settings {
-        let several = Settings { bend: Bend::None, arrange: OnOff::Off, ..Settings::preset(preset) };
+        let several =
+            Settings { start: Start::Contour, bend: Bend::None, arrange: OnOff::Off, ..Settings::preset(preset) };
         // The first wire lies along the lines already: small steps keep it there.
         let best = Settings {
             iterations: 320,
@@ -434,13 +456,7 @@ impl Settings {
             Preset::Best => best,
             Preset::Fast => Settings { iterations: 120, spacing: 6.0, hatch: 16.0, side_views: 4, ..best },
             // Refined once, 120 control points become 220.
-            Preset::Paper => Settings {
-                control_points: 120,
-                start: Start::Ball,
-                stroke_start: StrokeStart::Points,
-                shading: Shading::Grey,
-                ..several
-            },
+            Preset::Paper => Settings { control_points: 120, start: Start::Hull, shading: Shading::Grey, ..several },
         }
     }
 

@@ -11,7 +11,7 @@ use crate::metrics::{BentReport, ResultReport, match_pictures};
 use crate::objective::Displacement;
 use crate::optimize::{Problem, Session, WidthBounds, wait};
 use crate::sculpture::{Sculpture, render};
-use crate::settings::{Bend, OnOff, Settings, Start, Turn};
+use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
     self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
@@ -70,7 +70,7 @@ const LOW_SHARE: f32 = 0.75;
 /// # Errors
 /// [`Error::Picture`] for a drawing without ink, [`Error::Pictures`] when they are too few or share no ink at all.
 pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
-    settings.check()?;
+    Task::Multiview.check(settings)?;
     if drawings.len() < 2 {
         return Err(Error::Pictures {
             problem: format!(
@@ -230,7 +230,7 @@ impl Plan {
     ) -> Result<Path> {
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
-            Start::Tree => {
+            Start::Tree | Start::Contour => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
                 let trail = TrailOptions { shorter: settings.shorter, ..TrailOptions::default() };
                 start::tree_path(targets, *half_extents_world, &tree, &trail, progress)

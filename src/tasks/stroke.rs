@@ -17,7 +17,7 @@ use super::saved::SavedRun;
 use crate::optimize::{Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
 use crate::rng::Rng;
 use crate::sculpture::render;
-use crate::settings::{Preset, Settings, Shading, StrokeStart};
+use crate::settings::{Preset, Settings, Shading, Start, Task};
 use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
 use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
 use crate::wire::{Form, Wire};
@@ -88,7 +88,7 @@ const TOUR_WIDTH_PX: f64 = 3.0;
 /// As [`find_object`] for each picture; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
 /// sides contradict each other.
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
-    settings.check()?;
+    Task::Stroke.check(settings)?;
     let name = given.picture.name();
     let object = find_object(&given.picture, given.mask.as_ref(), settings.object)?;
     let mut notes = object.notes.clone();
@@ -182,7 +182,7 @@ fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
         };
         Lines::draw(subject, &options)
     };
-    if settings.control_points == 0 || settings.stroke_start != StrokeStart::Contour {
+    if settings.control_points == 0 || settings.start != Start::Contour {
         return draw(settings.hatch);
     }
     let most = settings.control_points as f64 * PATH_PER_POINT_PX * solid.height_world() / 256.0;
@@ -224,8 +224,8 @@ impl Plan {
         let px = self.world_per_px_256();
         let count = if settings.control_points == 0 { FEWEST_TOUR_POINTS } else { settings.control_points };
         let tour_width = TOUR_WIDTH_PX * px;
-        let wire = match settings.stroke_start {
-            StrokeStart::Contour => {
+        let wire = match settings.start {
+            Start::Contour => {
                 let path = self.lines.walk(&self.solid, settings.min_width.max(THIN_PX) * px);
                 let finest = start::length(&path) / MOST_FIRST_POINTS;
                 match settings.control_points {
@@ -234,10 +234,8 @@ impl Plan {
                 }
             }
             // The points of the tour are the control points (the paper's choice).
-            StrokeStart::Points => Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?,
-            StrokeStart::Ball => {
-                Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?
-            }
+            Start::Hull | Start::Tree => Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?,
+            Start::Ball => Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
@@ -255,12 +253,12 @@ impl Plan {
     /// solid's outline and creases there, so that strands nearby move onto them.
     fn side_target(&self, view: &View, first: &Wire, settings: &Settings) -> Target {
         let mut ink = self.solid.silhouette(view);
-        match settings.stroke_start {
-            StrokeStart::Contour => {
+        match settings.start {
+            Start::Contour => {
                 let lines = render(first, view);
                 ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
             }
-            StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
+            Start::Tree | Start::Hull | Start::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
         }
         if settings.creases > 0.0 {
             let creases = self.solid.creases(view, CREASE_PX * view.height_px as f64 / 256.0);

@@ -7,7 +7,7 @@ mod preview;
 mod run;
 mod subject;
 
-use crate::settings::{Preset, Settings, Task};
+use crate::settings::{Kind, Preset, Setting, Settings, Task};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -24,7 +24,9 @@ pub fn settings_table(task: &str) -> Result<String, JsError> {
     let task = task_of(task)?;
     let presets: BTreeMap<_, _> =
         Preset::ALL.iter().zip(Preset::WORDS).map(|(&preset, word)| (word, task.preset(preset).to_texts())).collect();
-    let rows: Vec<_> = task.rows().collect();
+    // What leaves no choice is no setting for people.
+    let open = |row: &Setting| !matches!(row.kind, Kind::Choice { choices: [_] });
+    let rows: Vec<_> = task.rows().filter(open).collect();
     Ok(json(&serde_json::json!({ "rows": rows, "presets": presets })))
 }
 
