@@ -53,12 +53,9 @@ export class Runs {
     const { job } = this.bench.doc;
     const made = (): Made | null => this.bench.doc.desks[job].made;
     if (made()?.source !== "run") await this.run();
-    const { track, finished } = made() ?? {};
-    if (!track || !finished || this.bench.busy || this.bench.doc.job !== job) return;
-    const { form: _form, ...settings } = track.settings;
-    // As many control points as the wire has come to, whoever chose their number.
-    const control_points = String(finished.measures.control_points);
-    await this.fit({ ...freshTrack(track.given, { ...settings, control_points, form: "bag" }), loose: true });
+    const track = made()?.track;
+    if (!track || this.bench.busy || this.bench.doc.job !== job) return;
+    await this.fit({ ...freshTrack(track.given, { ...track.settings, form: "bag" }), loose: true });
   }
 
   pause(): void {

@@ -1,0 +1,2 @@
+/** Stands in for the editor. */
+export {};
