@@ -305,6 +305,8 @@ settings! {
     relief: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 };
     Stroke /// From how many more sides, drawn from the seed, the wire is held against the solid.
     side_views: usize = 6, "views", Integer { min: 0, max: 24 };
+    Stroke /// After how many steps other sides are drawn; 0 keeps to those that are measured in the end.
+    new_sides: usize = 50, "steps", Integer { min: 0, max: 100_000 };
     Stroke /// Weight of all those sides together; the front's is 1.
     side_weight: f64 = 0.4, "times", Number { min: 0.0, max: 16.0 };
 
@@ -324,6 +326,46 @@ settings! {
     new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS };
     Expert /// Voxels along each side of the grid in which the first wire grows.
     grid: usize = 128, "voxels", Integer { min: 16, max: 160 };
+}
+
+/// A task with settings of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Task {
+    /// Drawings for several sides.
+    Multiview,
+    /// One picture.
+    Stroke,
+}
+
+impl Task {
+    /// The settings it has, in the order people should see them.
+    pub fn rows(self) -> impl Iterator<Item = &'static Setting> {
+        TABLE.iter().filter(move |row| match self {
+            Task::Multiview => row.group != Group::Stroke,
+            // One picture has its own start, and nothing to be arranged with.
+            Task::Stroke => row.group != Group::Views && row.name != "start",
+        })
+    }
+
+    /// Its settings of a preset.
+    pub fn preset(self, preset: Preset) -> Settings {
+        self.presets()(preset)
+    }
+
+    /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
+    ///
+    /// # Errors
+    /// As [`Settings::set`] and [`Settings::check`].
+    pub fn settings<'a>(self, pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
+        Settings::from_pairs_over(self.presets(), pairs)
+    }
+
+    fn presets(self) -> fn(Preset) -> Settings {
+        match self {
+            Task::Multiview => Settings::preset,
+            Task::Stroke => Settings::stroke_preset,
+        }
+    }
 }
 
 impl Settings {

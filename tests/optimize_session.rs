@@ -418,3 +418,29 @@ fn states_copy_completely() {
     copy.adam.second[0][1] = f32::NAN;
     assert!(!copy.is_finite());
 }
+
+#[test]
+fn targets_can_be_exchanged_on_the_way() {
+    let problem = eventful();
+    let mut others = problem.targets.clone();
+    others.iter_mut().for_each(|target| target.ink.data.reverse());
+    let mut session = Session::new(problem.clone()).unwrap();
+    session.step(10);
+    assert!(matches!(session.set_targets(others[..2].to_vec()), Err(Error::Pictures { .. })), "fewer of them");
+    let mut bright = others.clone();
+    bright[1].ink.data[0] = 2.0;
+    assert!(session.set_targets(bright).is_err(), "ink that is none");
+    assert_eq!(session.problem().targets, problem.targets, "what is refused changes nothing");
+    session.set_targets(others.clone()).unwrap();
+    assert_eq!(session.best(), session.wire(), "losses so far are no measure any more");
+    session.step(1);
+    // The same as a session of those targets from there.
+    let mut before = Session::new(problem.clone()).unwrap();
+    before.step(10);
+    let changed = Problem { targets: others, ..problem.clone() };
+    let mut resumed = Session::resume(changed, before.checkpoint().without_best()).unwrap();
+    resumed.step(1);
+    assert_same(&session, &resumed);
+    before.step(1);
+    assert_ne!(before.wire(), session.wire());
+}

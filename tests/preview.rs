@@ -63,7 +63,7 @@ fn pads_show_what_the_fit_will_see() {
     let found = preview(&given, &settings("on")).unwrap();
     assert!(found.coverable >= found.as_given);
     for (source, (drawing, given)) in found.drawings.iter().zip(&given).enumerate() {
-        assert_eq!(drawing.placed.source, source, "in the order given");
+        assert_eq!(drawing.placed.source, Some(source), "in the order given");
         let (seen, missing) = (&drawing.seen, &drawing.missing);
         assert_eq!(seen.width.max(seen.height), SEEN_PX);
         assert_eq!((seen.width, seen.height), (missing.width, missing.height));

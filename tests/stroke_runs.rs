@@ -159,3 +159,41 @@ fn bad_pictures_are_refused_by_name() {
     let hair = picture("hair.png", |x, y| if x.abs() < 0.011 && y.abs() < 0.8 { 0.0 } else { 255.0 });
     assert!(result(hair, &settings).views[0].soft_iou > Some(0.3), "a line one pixel wide is a thing too");
 }
+
+#[test]
+fn sides_change_as_the_run_goes_and_a_checkpoint_knows_which() {
+    let settings = quick(&[("iterations", "24"), ("new-sides", "8")]);
+    let directions = |run: &Run| -> Vec<_> {
+        let targets = run.session().problem().targets.iter();
+        targets.map(|target| target.view.camera::<f64>().project(&[0.3, 0.2, 0.1, 0.1])).collect()
+    };
+    let start = || Run::start(planned(ball(), &settings), &settings).unwrap();
+    let mut run = start();
+    let mut seen = Vec::new();
+    for _ in 0..3 {
+        run.step(8);
+        seen.push(directions(&run));
+    }
+    for (a, b) in [(0, 1), (1, 2), (0, 2)] {
+        assert_eq!(seen[a][0], seen[b][0], "the front stays");
+        assert!(seen[a][1..].iter().zip(&seen[b][1..]).all(|(a, b)| a != b), "the sides change");
+    }
+    let measured: Vec<_> = run.targets()[1..].iter().map(|target| target.view.name.clone()).collect();
+    assert!(measured.iter().all(|name| name.contains(',')), "measured from sides that stay: {measured:?}");
+    // Interrupted before, at and after a change, in steps of any size.
+    let whole = run.sculpture();
+    for interrupted in [7, 8, 13] {
+        let mut half = start();
+        half.step(interrupted);
+        let mut resumed = Run::resume(planned(ball(), &settings), &settings, &half.checkpoint()).unwrap();
+        while !resumed.session().is_done() {
+            resumed.step(5);
+        }
+        assert_eq!(resumed.sculpture(), whole, "interrupted after {interrupted}");
+    }
+    // Sibling: without the changes it is another wire.
+    let kept = quick(&[("iterations", "24"), ("new-sides", "0")]);
+    let mut other = finished(planned(ball(), &kept), &kept).sculpture();
+    other.made_with = whole.made_with.clone();
+    assert_ne!(other, whole);
+}

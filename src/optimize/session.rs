@@ -181,6 +181,33 @@ impl Session {
         }
     }
 
+    /// Fits something else from here on: as many targets as before, on the same scale. Losses so far are no measure for it,
+    /// so the best wire is looked for anew.
+    ///
+    /// # Errors
+    /// As [`Problem::check`], and [`Error::Pictures`] for another number of targets; then nothing has changed.
+    pub fn set_targets(&mut self, targets: Vec<Target>) -> Result<()> {
+        if targets.len() != self.problem.targets.len() {
+            let problem = format!("{} targets for a fit of {}", targets.len(), self.problem.targets.len());
+            return Err(Error::Pictures { problem, remedy: "give one for each view".into() });
+        }
+        let before = std::mem::replace(&mut self.problem.targets, targets);
+        if let Err(error) = self.problem.check() {
+            self.problem.targets = before;
+            return Err(error);
+        }
+        self.loaded = false;
+        self.forget_best();
+        Ok(())
+    }
+
+    /// What was lost so far is no measure for what comes.
+    fn forget_best(&mut self) {
+        self.best_wire = self.wire.clone();
+        self.tally.best_points.clone_from(&self.state.points);
+        self.tally.best_loss = f32::INFINITY;
+    }
+
     /// Does up to `count` more iterations and says what happened. On a browser's device use [`Session::step_async`].
     pub fn step(&mut self, count: usize) -> Vec<Event> {
         wait(self.step_async(count))
@@ -208,9 +235,7 @@ impl Session {
         if i == start {
             self.load().await;
             // Losses at another size are no measure for this one.
-            self.best_wire = self.wire.clone();
-            self.tally.best_points.clone_from(&self.state.points);
-            self.tally.best_loss = f32::INFINITY;
+            self.forget_best();
             self.record(EventKind::Stage, index + 1);
         } else if !self.loaded {
             self.load().await;

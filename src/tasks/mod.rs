@@ -5,7 +5,9 @@ mod fit;
 pub mod multiview;
 pub mod preview;
 mod remedies;
+mod run;
 mod saved;
 pub mod stroke;
 
 pub use engine::place;
+pub use run::{Job, Placed, Run};

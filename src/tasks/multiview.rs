@@ -4,17 +4,18 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::engine::engine;
-use super::fit::{event_reports, recipe};
+use super::fit::recipe;
+use super::run::Placed;
 use super::saved::SavedRun;
-use crate::metrics::{ArrangementReport, BentReport, Report, ResultReport, TimeReport, match_pictures};
+use crate::metrics::{BentReport, ResultReport, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::{Event, Place, Problem, Session, WidthBounds, wait};
-use crate::sculpture::{MadeWith, Sculpture, render};
+use crate::optimize::{Problem, Session, WidthBounds, wait};
+use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Turn};
 use crate::start::{
     self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
-use crate::view::{Image, MAX_PICTURE_PX, Picture, Target, View, ViewSpec, ink};
+use crate::view::{Image, Picture, Target, ViewSpec, ink};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 
@@ -41,17 +42,10 @@ impl Drawing {
     /// From ink as bytes, 0 (ground) to 255 (ink), row by row from the top left.
     ///
     /// # Errors
-    /// [`Error::Picture`] if there are no pixels, too many, or not one byte for each.
+    /// As [`Image::from_bytes`].
     pub fn from_ink(name: &str, width: usize, height: usize, bytes: &[u8]) -> Result<Drawing> {
-        let refuse = |problem: String, remedy: &str| Err(Error::picture(name, problem, remedy));
-        if width == 0 || height == 0 || width.max(height) > MAX_PICTURE_PX {
-            return refuse(format!("{width} x {height} pixels"), "give 1 to 2048 pixels a side");
-        }
-        if bytes.len() != width * height {
-            return refuse(format!("{} bytes of ink for {width} x {height} px", bytes.len()), "give one byte a pixel");
-        }
-        let data = bytes.iter().map(|&byte| f32::from(byte) / 255.0).collect();
-        Ok(Drawing { name: name.to_owned(), ink: Image { width, height, data }, seen_from: None })
+        let ink = Image::from_bytes(name, width, height, bytes)?;
+        Ok(Drawing { name: name.to_owned(), ink, seen_from: None })
     }
 }
 
@@ -123,29 +117,13 @@ pub(super) fn thicken(targets: &mut [Target], settings: &Settings) {
     }
 }
 
-/// How a drawing was laid into a view.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Placed {
-    /// The view that shows it.
-    pub view: View,
-    /// Which of the drawings it is, from 0.
-    pub source: usize,
-    /// Whether it is mirrored left to right.
-    pub mirrored: bool,
-    /// By how many quarters it is turned counter-clockwise after mirroring.
-    pub quarter_turns: u8,
-    /// Share of its ink that any object at all could show, 0 to 1.
-    pub coverable: f32,
-}
-
 impl Plan {
     /// How the drawing of view `view` was laid into it.
     pub fn placed(&self, view: usize) -> Placed {
         let Placement { source, orientation, .. } = self.arrangement.placements[view];
         Placed {
             view: self.arrangement.targets[view].view.clone(),
-            source,
+            source: Some(source),
             mirrored: orientation.mirrored,
             quarter_turns: orientation.quarter_turns,
             coverable: self.coverable[view].share,
@@ -282,13 +260,51 @@ const ENOUGH_SHARE: f32 = 0.98;
 /// Share of the start's progress that bending the drawings takes.
 const BENDING_SHARE: f32 = 0.4;
 
-/// A fit under way.
-pub struct Run {
+/// A fit of drawings under way.
+pub type Run = super::Run<Job>;
+
+/// The drawings' part in a run.
+pub struct Job {
     plan: Plan,
-    settings: Settings,
-    session: Session,
     /// How far each view's ink was moved before the fit.
     moved_before: Vec<Displacement>,
+}
+
+impl super::Job for Job {
+    type Plan = Plan;
+    const TASK: &'static str = "multiview";
+
+    fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.plan.arrangement.targets
+    }
+
+    fn sources(&self) -> &[String] {
+        &self.plan.sources
+    }
+
+    fn placed(&self, view: usize) -> Placed {
+        self.plan.placed(view)
+    }
+
+    /// How much of each drawing could be shown, and, where drawings bend, the match with the bent ones.
+    fn complete(&self, result: &mut ResultReport, made: &Sculpture, run: &Run) {
+        let Arrangement { targets, placements, .. } = &self.plan.arrangement;
+        for (view, (placement, coverable)) in result.views.iter_mut().zip(placements.iter().zip(&self.plan.coverable)) {
+            view.stretch = placement.stretch;
+            view.target_coverable = Some(f64::from(coverable.share));
+        }
+        for ((view, target), (picture, moved)) in
+            result.views.iter_mut().zip(targets).zip(run.bent().into_iter().flatten())
+        {
+            let found =
+                match_pictures(&picture, |width, height| render(&made.wire, &target.view.with_size(width, height)));
+            view.bent = Some(BentReport::new(found, moved.mean_px, moved.max_px));
+        }
+    }
 }
 
 impl Run {
@@ -313,12 +329,7 @@ impl Run {
         let (targets, moved_before) = plan.targets_to_fit(settings, &mut |share| progress(bending * share))?;
         let wire = plan.first_wire(&targets, settings, &mut |share| progress(bending + (1.0 - bending) * share))?;
         let session = Session::with_engine(plan.problem(wire, targets, settings), engine)?;
-        Ok(Run { plan, settings: settings.clone(), session, moved_before })
-    }
-
-    /// The whole state, to go on from later: see [`Run::resume`].
-    pub fn checkpoint(&self) -> Vec<u8> {
-        SavedRun::new(&self.plan.arrangement.targets, &self.settings, self.session.checkpoint()).to_bytes()
+        Ok(Run::new(Job { plan, moved_before }, settings, session))
     }
 
     /// Goes on from a checkpoint of a run of the same drawings: with the same settings bit for bit as if it had never
@@ -351,46 +362,7 @@ impl Run {
         // The wire as it was grown is gone; only its form counts now.
         let problem = plan.problem(saved.wire().clone(), targets, settings);
         let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
-        Ok(Run { settings: settings.clone(), session, plan, moved_before })
-    }
-
-    /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
-    pub fn step(&mut self, count: usize) -> Vec<Event> {
-        self.session.step(count)
-    }
-
-    /// [`Run::step`] where the thread has other things to do while a device computes.
-    pub async fn step_async(&mut self, count: usize) -> Vec<Event> {
-        self.session.step_async(count).await
-    }
-
-    /// How the drawings were arranged.
-    pub fn plan(&self) -> &Plan {
-        &self.plan
-    }
-
-    /// The session, for its progress, history and pictures.
-    pub fn session(&self) -> &Session {
-        &self.session
-    }
-
-    /// The settings it runs with.
-    pub fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    /// The best wire so far with its views.
-    pub fn sculpture(&self) -> Sculpture {
-        Sculpture {
-            wire: self.session.best(),
-            views: self.plan.arrangement.targets.iter().map(|target| target.view.clone()).collect(),
-            made_with: MadeWith {
-                task: "multiview".into(),
-                seed: self.settings.seed,
-                settings: self.settings.to_map(),
-                ..MadeWith::default()
-            },
-        }
+        Ok(Run::new(Job { plan, moved_before }, settings, session))
     }
 
     /// Each view's target as it is bent now and how far its ink moved at most (what bending before and during the fit
@@ -400,60 +372,7 @@ impl Run {
             let Displacement { mean_px, max_px } = during;
             (picture, Displacement { mean_px: mean_px + before.mean_px, max_px: max_px + before.max_px })
         };
-        (self.settings.bend != Bend::None)
-            .then(|| self.session.bent_targets().into_iter().zip(&self.moved_before).map(added).collect())
-    }
-
-    /// The `result` part of a report: the best wire so far against the arranged targets and, where they bend, against
-    /// the bent ones.
-    pub fn result(&self) -> ResultReport {
-        let sculpture = self.sculpture();
-        let targets = &self.plan.arrangement.targets;
-        let pictures: Vec<_> = targets.iter().map(|target| Some(target.ink.clone())).collect();
-        let mut result = ResultReport::measure(&sculpture, &pictures);
-        for (view, (placement, coverable)) in
-            result.views.iter_mut().zip(self.plan.arrangement.placements.iter().zip(&self.plan.coverable))
-        {
-            view.stretch = placement.stretch;
-            view.target_coverable = Some(f64::from(coverable.share));
-        }
-        for ((view, target), (picture, moved)) in
-            result.views.iter_mut().zip(targets).zip(self.bent().into_iter().flatten())
-        {
-            let found = match_pictures(&picture, |width, height| {
-                render(&sculpture.wire, &target.view.with_size(width, height))
-            });
-            view.bent = Some(BentReport::new(found, moved.mean_px, moved.max_px));
-        }
-        result
-    }
-
-    /// A whole report. `time` comes from the caller, who has a clock.
-    pub fn report(&self, time: TimeReport, stopped: bool) -> Report {
-        let Arrangement { targets, placements, .. } = &self.plan.arrangement;
-        let arrangement = targets.iter().zip(placements).map(|(target, placement)| ArrangementReport {
-            view: target.view.name.clone(),
-            source: self.plan.sources[placement.source].clone(),
-            mirrored: placement.orientation.mirrored,
-            quarter_turns: placement.orientation.quarter_turns,
-        });
-        let Place { backend, device, .. } = self.session.place();
-        Report {
-            task: "multiview".into(),
-            seed: self.settings.seed,
-            backend: backend.into(),
-            device,
-            settings: self.settings.to_map(),
-            stopped,
-            time,
-            result: self.result(),
-            arrangement: arrangement.collect(),
-            events: event_reports(&self.session),
-        }
-    }
-
-    /// The loss of every iteration, term by term, as `loss.csv`.
-    pub fn loss_csv(&self) -> String {
-        self.session.history().to_csv()
+        (self.settings().bend != Bend::None)
+            .then(|| self.session().bent_targets().into_iter().zip(&self.job().moved_before).map(added).collect())
     }
 }

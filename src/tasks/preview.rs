@@ -1,8 +1,9 @@
 //! What a person should know before a run: how well the drawings go together, what is missing, and what would help.
 
-use super::multiview::{Drawing, Placed, Plan, named, plan};
+use super::multiview::{Drawing, Plan, named, plan};
 pub use super::remedies::{Remedy, RemedyKind};
 use super::remedies::{Trials, remedies};
+use super::run::Placed;
 use crate::Result;
 use crate::metrics::soft_iou;
 use crate::settings::{Bend, OnOff, Settings};

@@ -11,12 +11,12 @@
 //! silhouette: inside it a blank pixel costs about as much as an inked one, while ink beside the solid costs the most.
 
 use super::engine::engine;
-use super::fit::{event_reports, recipe};
+use super::fit::recipe;
+use super::run::Placed;
 use super::saved::SavedRun;
-use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
-use crate::optimize::{Event, Place, Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
+use crate::optimize::{Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
 use crate::rng::Rng;
-use crate::sculpture::{MadeWith, Sculpture, render};
+use crate::sculpture::render;
 use crate::settings::{Preset, Settings, Shading, StrokeStart};
 use crate::start::{self, LineOptions, Lines, Solid, SolidOptions};
 use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
@@ -121,7 +121,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     };
     let mut targets = vec![Target { view: front, ink }];
     let given_sides = others.into_iter().map(|(view, _)| view);
-    for view in given_sides.chain(side_views(settings)) {
+    for view in given_sides.chain(side_views(0, settings)) {
         let view = View::with_size(&view, settings.size, settings.size);
         targets.push(Target { ink: solid.silhouette(&view), view });
     }
@@ -188,15 +188,16 @@ fn lines(mask: &Image, tone: &Image, drawn: bool, solid: &Solid, settings: &Sett
     draw(sparse)
 }
 
-/// Views from all round, drawn from the seed: azimuths evenly spread, elevations at random.
-fn side_views(settings: &Settings) -> Vec<View> {
-    let mut rng = Rng::new(settings.seed, 0x7369_6465);
+/// Views from all round, drawn from the seed: azimuths evenly spread, elevations at random. Turn 0 is what the report
+/// measures, named by its directions; others are fitted, and named by number since they change.
+fn side_views(turn: u64, settings: &Settings) -> Vec<View> {
+    let mut rng = Rng::new(settings.seed, 0x7369_6465 + turn);
     let count = settings.side_views;
     let first = rng.unit();
     let each = (0..count).map(|k| {
         let azimuth = (360.0 * (k as f64 + first + rng.range(-0.25, 0.25)) / count as f64).round().rem_euclid(360.0);
         let elevation = rng.range(ELEVATIONS[0], ELEVATIONS[1]).round();
-        let name = format!("{azimuth},{elevation}");
+        let name = if turn == 0 { format!("{azimuth},{elevation}") } else { format!("side {}", k + 1) };
         View::orthographic(&name, azimuth.to_radians(), elevation.to_radians(), SIDE_HEIGHT_WORLD, settings.size)
     });
     each.collect()
@@ -235,21 +236,20 @@ impl Plan {
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
 
-    /// The fit of `wire`; `first` is the first wire.
-    fn problem(&self, wire: Wire, first: &Wire, settings: &Settings) -> Problem {
+    /// What is fitted from iteration `iteration` on: the front, the sides that were given, and the drawn ones of that time.
+    fn fitted(&self, first: &Wire, iteration: usize, settings: &Settings) -> Vec<Target> {
+        let turn = iteration.checked_div(settings.new_sides).map_or(0, |turn| turn as u64 + 1);
+        let given = &self.targets[..self.sources.len()];
+        let drawn = side_views(turn, settings).into_iter();
+        let drawn = drawn.map(|view| Target { ink: self.solid.silhouette(&view), view });
+        let sides = given[1..].iter().cloned().chain(drawn);
+        std::iter::once(given[0].clone()).chain(sides.map(|side| side_to_fit(side, first, settings))).collect()
+    }
+
+    /// The fit of `wire` from iteration `iteration` on; `first` is the first wire.
+    fn problem(&self, wire: Wire, first: &Wire, iteration: usize, settings: &Settings) -> Problem {
         let px = self.world_per_px_256();
-        let side = |target: &Target| {
-            let mut ink = target.ink.clone();
-            match settings.stroke_start {
-                StrokeStart::Contour => {
-                    let lines = render(first, &target.view);
-                    ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
-                }
-                StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
-            }
-            Target { view: target.view.clone(), ink }
-        };
-        let (front, sides) = (&self.targets[..1], &self.targets[1..]);
+        let sides = &self.targets[1..];
         let side_weight = settings.side_weight / sides.len().max(1) as f64;
         let mut recipe = recipe(settings);
         if settings.preset == Preset::Paper {
@@ -261,7 +261,7 @@ impl Plan {
         }
         Problem {
             wire,
-            targets: front.iter().cloned().chain(sides.iter().map(side)).collect(),
+            targets: self.fitted(first, iteration, settings),
             view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
             width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
             recipe,
@@ -270,11 +270,62 @@ impl Plan {
     }
 }
 
-/// A fit under way.
-pub struct Run {
+/// What is fitted from a side whose silhouette is given.
+fn side_to_fit(silhouette: Target, first: &Wire, settings: &Settings) -> Target {
+    let Target { view, mut ink } = silhouette;
+    match settings.stroke_start {
+        StrokeStart::Contour => {
+            let lines = render(first, &view);
+            ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
+        }
+        StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
+    }
+    Target { view, ink }
+}
+
+/// A fit of one picture under way.
+pub type Run = super::Run<Job>;
+
+/// The picture's part in a run.
+pub struct Job {
     plan: Plan,
+    first: Wire,
     settings: Settings,
-    session: Session,
+}
+
+impl super::Job for Job {
+    type Plan = Plan;
+    const TASK: &'static str = "stroke";
+
+    fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.plan.targets
+    }
+
+    fn sources(&self) -> &[String] {
+        &self.plan.sources
+    }
+
+    fn placed(&self, view: usize) -> Placed {
+        Placed {
+            view: self.plan.targets[view].view.clone(),
+            source: (view < self.plan.sources.len()).then_some(view),
+            mirrored: false,
+            quarter_turns: 0,
+            coverable: 1.0,
+        }
+    }
+
+    fn change_views_every(&self) -> usize {
+        self.settings.new_sides
+    }
+
+    fn targets_from(&self, iteration: usize) -> Vec<Target> {
+        self.plan.fitted(&self.first, iteration, &self.settings)
+    }
 }
 
 impl Run {
@@ -292,14 +343,9 @@ impl Run {
     /// As [`Run::start`].
     pub async fn start_async(plan: Plan, settings: &Settings) -> Result<Run> {
         let engine = engine(settings.backend).await?;
-        let wire = plan.first_wire(settings)?;
-        let session = Session::with_engine(plan.problem(wire.clone(), &wire, settings), engine)?;
-        Ok(Run { plan, settings: settings.clone(), session })
-    }
-
-    /// The whole state, to go on from later: see [`Run::resume`].
-    pub fn checkpoint(&self) -> Vec<u8> {
-        SavedRun::new(&self.plan.targets, &self.settings, self.session.checkpoint()).to_bytes()
+        let first = plan.first_wire(settings)?;
+        let session = Session::with_engine(plan.problem(first.clone(), &first, 0, settings), engine)?;
+        Ok(Run::new(Job { plan, first, settings: settings.clone() }, settings, session))
     }
 
     /// Goes on from a checkpoint of a run of the same picture: with the same settings bit for bit as if it had never been
@@ -318,81 +364,9 @@ impl Run {
     /// As [`Run::resume`].
     pub async fn resume_async(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
         let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.targets, settings)?;
-        let problem = plan.problem(saved.wire().clone(), &plan.first_wire(settings)?, settings);
+        let first = plan.first_wire(settings)?;
+        let problem = plan.problem(saved.wire().clone(), &first, saved.iteration(), settings);
         let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
-        Ok(Run { plan, settings: settings.clone(), session })
-    }
-
-    /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
-    pub fn step(&mut self, count: usize) -> Vec<Event> {
-        self.session.step(count)
-    }
-
-    /// [`Run::step`] where the thread has other things to do while a device computes.
-    pub async fn step_async(&mut self, count: usize) -> Vec<Event> {
-        self.session.step_async(count).await
-    }
-
-    /// The object, its solid and the targets.
-    pub fn plan(&self) -> &Plan {
-        &self.plan
-    }
-
-    /// The session, for its progress, history and pictures.
-    pub fn session(&self) -> &Session {
-        &self.session
-    }
-
-    /// The settings it runs with.
-    pub fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    /// The best wire so far with its views: the front, then the sides.
-    pub fn sculpture(&self) -> Sculpture {
-        Sculpture {
-            wire: self.session.best(),
-            views: self.plan.targets.iter().map(|target| target.view.clone()).collect(),
-            made_with: MadeWith {
-                task: "stroke".into(),
-                seed: self.settings.seed,
-                settings: self.settings.to_map(),
-                ..MadeWith::default()
-            },
-        }
-    }
-
-    /// The `result` part of a report: the front against its ink, the sides against the solid's silhouettes.
-    pub fn result(&self) -> ResultReport {
-        let pictures: Vec<_> = self.plan.targets.iter().map(|target| Some(target.ink.clone())).collect();
-        ResultReport::measure(&self.sculpture(), &pictures)
-    }
-
-    /// A whole report. `time` comes from the caller, who has a clock.
-    pub fn report(&self, time: TimeReport, stopped: bool) -> Report {
-        let Place { backend, device, .. } = self.session.place();
-        let placed = self.plan.targets.iter().zip(&self.plan.sources).map(|(target, source)| ArrangementReport {
-            view: target.view.name.clone(),
-            source: source.clone(),
-            mirrored: false,
-            quarter_turns: 0,
-        });
-        Report {
-            task: "stroke".into(),
-            seed: self.settings.seed,
-            backend: backend.into(),
-            device,
-            settings: self.settings.to_map(),
-            stopped,
-            time,
-            result: self.result(),
-            arrangement: placed.collect(),
-            events: event_reports(&self.session),
-        }
-    }
-
-    /// The loss of every iteration, term by term, as `loss.csv`.
-    pub fn loss_csv(&self) -> String {
-        self.session.history().to_csv()
+        Ok(Run::new(Job { plan, first, settings: settings.clone() }, settings, session))
     }
 }

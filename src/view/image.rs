@@ -1,6 +1,7 @@
 //! One-channel pictures: ink or coverage, 0 to 1, rows from the top.
 
-use super::PixelBox;
+use super::{MAX_PICTURE_PX, PixelBox};
+use crate::{Error, Result};
 
 /// A grey picture, row by row from the top left; ink (or coverage) is 1, ground 0.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -17,6 +18,21 @@ impl Image {
     /// A picture of nothing but ground.
     pub fn new(width: usize, height: usize) -> Self {
         Image { width, height, data: vec![0.0; width * height] }
+    }
+
+    /// From one byte a pixel, 0 (ground) to 255 (ink), row by row from the top left; `name` is what the person calls it.
+    ///
+    /// # Errors
+    /// [`Error::Picture`] if there are no pixels, too many, or not one byte for each.
+    pub fn from_bytes(name: &str, width: usize, height: usize, bytes: &[u8]) -> Result<Image> {
+        let refuse = |problem: String, remedy: &str| Err(Error::picture(name, problem, remedy));
+        if width == 0 || height == 0 || width.max(height) > MAX_PICTURE_PX {
+            return refuse(format!("{width} x {height} pixels"), "give 1 to 2048 pixels a side");
+        }
+        if bytes.len() != width * height {
+            return refuse(format!("{} bytes for {width} x {height} px", bytes.len()), "give one byte a pixel");
+        }
+        Ok(Image { width, height, data: bytes.iter().map(|&byte| f32::from(byte) / 255.0).collect() })
     }
 
     /// The value at column `x`, row `y`.

@@ -5,8 +5,9 @@ mod made;
 mod pictures;
 mod preview;
 mod run;
+mod subject;
 
-use crate::settings::{Group, Preset, Settings, TABLE};
+use crate::settings::{Preset, Settings, Task};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -17,17 +18,22 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// The settings table and each preset's values, as JSON.
+/// The settings table of a task, `multiview` or `stroke`, and each preset's values, as JSON.
 #[wasm_bindgen]
-pub fn settings_table() -> String {
-    let presets: BTreeMap<_, _> = Preset::ALL
-        .iter()
-        .zip(Preset::WORDS)
-        .map(|(&preset, word)| (word, Settings::preset(preset).to_texts()))
-        .collect();
-    // One picture alone has no place on the page yet.
-    let rows: Vec<_> = TABLE.iter().filter(|row| row.group != Group::Stroke).collect();
-    json(&serde_json::json!({ "rows": rows, "presets": presets }))
+pub fn settings_table(task: &str) -> Result<String, JsError> {
+    let task = task_of(task)?;
+    let presets: BTreeMap<_, _> =
+        Preset::ALL.iter().zip(Preset::WORDS).map(|(&preset, word)| (word, task.preset(preset).to_texts())).collect();
+    let rows: Vec<_> = task.rows().collect();
+    Ok(json(&serde_json::json!({ "rows": rows, "presets": presets })))
+}
+
+fn task_of(word: &str) -> Result<Task> {
+    match word {
+        "multiview" => Ok(Task::Multiview),
+        "stroke" => Ok(Task::Stroke),
+        _ => Err(Error::setting("task", format!("there is none called {word:?}"), "give multiview or stroke")),
+    }
 }
 
 /// Where a fit with this `backend` (a word of the setting) will be computed, and why, as JSON: `{backend, device, why}`.
@@ -47,10 +53,10 @@ pub async fn parities(skew: f32) -> Result<String, JsError> {
 }
 
 /// Settings from a JSON object of texts by name.
-fn parse_settings(text: &str) -> Result<Settings> {
+fn parse_settings(task: Task, text: &str) -> Result<Settings> {
     let pairs: BTreeMap<String, String> = serde_json::from_str(text)
         .map_err(|error| Error::setting("settings", error.to_string(), "give an object of texts by name"))?;
-    Settings::from_pairs(pairs.iter().map(|(name, value)| (name.as_str(), value.as_str())))
+    task.settings(pairs.iter().map(|(name, value)| (name.as_str(), value.as_str())))
 }
 
 /// JSON of values whose serialisation cannot fail: plain numbers, texts and lists.

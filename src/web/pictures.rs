@@ -2,7 +2,8 @@
 
 use super::json;
 use crate::settings::Settings;
-use crate::tasks::multiview::{Drawing, Placed, Plan};
+use crate::tasks::Placed;
+use crate::tasks::multiview::Drawing;
 use crate::view::{Image, Picture, Polarity, Reading};
 use wasm_bindgen::prelude::*;
 
@@ -104,9 +105,9 @@ pub struct ViewTarget {
 }
 
 impl ViewTarget {
-    /// View `index` of a plan, with `image` as what it should show.
-    pub(super) fn new(plan: &Plan, index: usize, image: &Image) -> ViewTarget {
-        ViewTarget { placed: plan.placed(index), ink: Ink::new(image) }
+    /// A view with `image` as what it should show.
+    pub(super) fn new(placed: Placed, image: &Image) -> ViewTarget {
+        ViewTarget { placed, ink: Ink::new(image) }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::pictures::{DrawingSet, Ink};
 use super::{json, parse_settings};
+use crate::settings::Task;
 use crate::tasks::preview;
 use wasm_bindgen::prelude::*;
 
@@ -13,7 +14,7 @@ pub struct Preview(preview::Preview);
 impl Preview {
     /// Looks at drawings with settings (a JSON object of texts by name).
     pub fn of(drawings: &DrawingSet, settings: &str) -> Result<Preview, JsError> {
-        Ok(Preview(preview::preview(drawings.drawings(), &parse_settings(settings)?)?))
+        Ok(Preview(preview::preview(drawings.drawings(), &parse_settings(Task::Multiview, settings)?)?))
     }
 
     /// Everything but the pictures, as JSON.

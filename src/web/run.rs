@@ -2,18 +2,37 @@
 
 use super::made::{Made, WireData};
 use super::pictures::{DrawingSet, ViewTarget};
+use super::subject::Subject;
 use super::{json, parse_settings};
 use crate::Result;
-use crate::settings::Settings;
-use crate::tasks::multiview::{self, Plan};
+use crate::optimize::Session;
+use crate::settings::{Settings, Task};
+use crate::tasks::{multiview, stroke};
+use crate::view::{Image, Target};
 use wasm_bindgen::prelude::*;
 
 /// Iterations after which the page is asked whether to go on at all.
 const MOST_AT_ONCE: usize = 64;
 
+/// A fit of either task.
+enum Fit {
+    Multiview(multiview::Run),
+    Stroke(stroke::Run),
+}
+
+/// `$body` with `$run` for the run of either task.
+macro_rules! either {
+    ($fit:expr, $run:ident => $body:expr) => {
+        match $fit {
+            Fit::Multiview($run) => $body,
+            Fit::Stroke($run) => $body,
+        }
+    };
+}
+
 /// A fit under way.
 #[wasm_bindgen]
-pub struct Run(multiview::Run);
+pub struct Run(Fit);
 
 /// The worker's ears: `tell(words, share)` hears how far the start is, `note(words)` what a person should know about
 /// the drawings. A page that cannot listen does not stop the run.
@@ -27,12 +46,22 @@ impl Ears<'_> {
         let _ = self.tell.call2(&JsValue::NULL, &words.into(), &share.into());
     }
 
-    fn plan(&self, drawings: &DrawingSet, settings: &Settings) -> Result<Plan> {
+    fn note(&self, words: &str) {
+        let _ = self.note.call1(&JsValue::NULL, &words.into());
+    }
+
+    fn drawings(&self, drawings: &DrawingSet, settings: &Settings) -> Result<multiview::Plan> {
         self.tell("Finding where the drawings agree…", 0.0);
         let plan = multiview::plan(drawings.drawings(), settings)?;
-        for words in plan.notes() {
-            let _ = self.note.call1(&JsValue::NULL, &words.into());
-        }
+        plan.notes().iter().for_each(|words| self.note(words));
+        Ok(plan)
+    }
+
+    fn picture(&self, subject: &Subject, settings: &Settings) -> Result<stroke::Plan> {
+        self.tell("Guessing the solid behind the picture…", 0.0);
+        let plan = stroke::plan(subject.given(), settings)?;
+        plan.notes().iter().for_each(|words| self.note(words));
+        self.tell("Drawing its lines…", 0.5);
         Ok(plan)
     }
 }
@@ -46,8 +75,8 @@ impl Run {
         tell: &js_sys::Function,
         note: &js_sys::Function,
     ) -> Result<Run, JsError> {
-        let (ears, settings) = (Ears { tell, note }, parse_settings(settings)?);
-        let plan = ears.plan(drawings, &settings)?;
+        let (ears, settings) = (Ears { tell, note }, parse_settings(Task::Multiview, settings)?);
+        let plan = ears.drawings(drawings, &settings)?;
         let share = 100.0 * plan.mean_coverable();
         let words = format!("Finding a way for the wire… {share:.0}% of the ink can be shown");
         ears.tell(&words, 0.0);
@@ -56,7 +85,7 @@ impl Run {
             true
         })
         .await?;
-        Ok(Run(run))
+        Ok(Run(Fit::Multiview(run)))
     }
 
     /// Goes on from a checkpoint of a run of the same drawings.
@@ -67,84 +96,123 @@ impl Run {
         tell: &js_sys::Function,
         note: &js_sys::Function,
     ) -> Result<Run, JsError> {
-        let (ears, settings) = (Ears { tell, note }, parse_settings(settings)?);
-        let plan = ears.plan(drawings, &settings)?;
+        let (ears, settings) = (Ears { tell, note }, parse_settings(Task::Multiview, settings)?);
+        let plan = ears.drawings(drawings, &settings)?;
         let run = multiview::Run::resume_async(plan, &settings, checkpoint, &mut |share| {
             ears.tell("Going on from there…", share);
             true
         })
         .await?;
-        Ok(Run(run))
+        Ok(Run(Fit::Multiview(run)))
+    }
+
+    /// Finds the solid behind one picture and lays the first wire on it.
+    pub async fn start_stroke(
+        subject: &Subject,
+        settings: &str,
+        tell: &js_sys::Function,
+        note: &js_sys::Function,
+    ) -> Result<Run, JsError> {
+        let settings = parse_settings(Task::Stroke, settings)?;
+        let plan = Ears { tell, note }.picture(subject, &settings)?;
+        Ok(Run(Fit::Stroke(stroke::Run::start_async(plan, &settings).await?)))
+    }
+
+    /// Goes on from a checkpoint of a run of the same picture.
+    pub async fn resume_stroke(
+        subject: &Subject,
+        settings: &str,
+        checkpoint: &[u8],
+        tell: &js_sys::Function,
+        note: &js_sys::Function,
+    ) -> Result<Run, JsError> {
+        let settings = parse_settings(Task::Stroke, settings)?;
+        let plan = Ears { tell, note }.picture(subject, &settings)?;
+        Ok(Run(Fit::Stroke(stroke::Run::resume_async(plan, &settings, checkpoint).await?)))
+    }
+
+    fn session(&self) -> &Session {
+        either!(&self.0, run => run.session())
+    }
+
+    fn targets(&self) -> &[Target] {
+        either!(&self.0, run => run.targets())
     }
 
     /// Up to `count` more iterations; what happened, as JSON. Returns early when the fit moves elsewhere: so many may take
     /// long there.
     pub async fn step(&mut self, count: usize) -> String {
-        let (end, backend) = (self.iteration() + count, self.0.session().place().backend);
+        let (end, backend) = (self.iteration() + count, self.session().place().backend);
         let mut events = Vec::new();
-        while self.iteration() < end.min(self.iterations()) && self.0.session().place().backend == backend {
-            events.extend(self.0.step_async(MOST_AT_ONCE.min(end - self.iteration())).await);
+        while self.iteration() < end.min(self.iterations()) && self.session().place().backend == backend {
+            let at_once = MOST_AT_ONCE.min(end - self.iteration());
+            events.extend(either!(&mut self.0, run => run.step_async(at_once).await));
         }
         json(&events)
     }
 
     /// Where the fit is computed now, and why, as JSON: see [`super::place`].
     pub fn place(&self) -> String {
-        json(&self.0.session().place())
+        json(&self.session().place())
     }
 
     /// Iterations done.
     #[wasm_bindgen(getter)]
     pub fn iteration(&self) -> usize {
-        self.0.session().iteration()
+        self.session().iteration()
     }
 
     /// Iterations in all.
     #[wasm_bindgen(getter)]
     pub fn iterations(&self) -> usize {
-        self.0.session().total()
+        self.session().total()
     }
 
-    /// Mean over the views of how far each is from its drawing, as last seen; not a number before the first iteration.
+    /// Mean over the views of how far each is from its target, as last seen; not a number before the first iteration.
     #[wasm_bindgen(getter)]
     pub fn loss(&self) -> f32 {
-        let views = self.0.plan().arrangement.targets.len();
-        let last = self.0.session().history().rows().next_back();
+        let views = self.targets().len();
+        let last = self.session().history().rows().next_back();
         // Columns: total, each view's, the wire's own.
         last.map_or(f32::NAN, |row| row[1..=views].iter().sum::<f32>() / views as f32)
     }
 
     /// The wire as it is now.
     pub fn wire(&self) -> WireData {
-        WireData(self.0.session().wire())
+        WireData(self.session().wire())
     }
 
-    /// The whole state, for [`Run::resume`].
+    /// The whole state, for [`Run::resume`] or [`Run::resume_stroke`].
     pub fn checkpoint(&self) -> Vec<u8> {
-        self.0.checkpoint()
+        either!(&self.0, run => run.checkpoint())
     }
 
     /// Number of views.
     #[wasm_bindgen(getter)]
     pub fn target_count(&self) -> usize {
-        self.0.plan().arrangement.targets.len()
+        self.targets().len()
     }
 
-    /// A view's target as arranged, not bent.
+    /// A view's target, not bent.
     pub fn target(&self, index: usize) -> ViewTarget {
-        let plan = self.0.plan();
-        ViewTarget::new(plan, index, &plan.arrangement.targets[index].ink)
+        self.target_as(index, &self.targets()[index].ink)
+    }
+
+    /// View `index` with `ink` for what it should show.
+    fn target_as(&self, index: usize, ink: &Image) -> ViewTarget {
+        ViewTarget::new(either!(&self.0, run => run.placed(index)), ink)
     }
 
     /// The best wire so far, measured. Its targets are the drawings as they were bent.
     pub fn finish(&self) -> Made {
-        let targets = match self.0.bent() {
-            None => (0..self.target_count()).map(|index| self.target(index)).collect(),
-            Some(bent) => {
-                let bent = bent.iter().enumerate();
-                bent.map(|(index, (image, _))| ViewTarget::new(self.0.plan(), index, image)).collect()
-            }
+        let bent = match &self.0 {
+            Fit::Multiview(run) => run.bent(),
+            Fit::Stroke(_) => None,
         };
-        Made::new(self.0.sculpture(), targets, self.0.result())
+        let targets = match bent {
+            None => (0..self.target_count()).map(|index| self.target(index)).collect(),
+            Some(bent) => bent.iter().enumerate().map(|(index, (image, _))| self.target_as(index, image)).collect(),
+        };
+        either!(&self.0, run => Made::new(run.sculpture(), targets, run.result()))
     }
 }

@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::path::PathBuf;
-use wire4d::settings::{Group, Kind, Preset, Setting, Settings, TABLE};
+use wire4d::settings::{Kind, Preset, Settings, Task};
 use wire4d::{Error, Result};
 
 /// The whole command line.
@@ -32,8 +32,7 @@ pub fn command() -> Command {
                 )
                 .arg(out_folder())
                 .arg(overwrite()),
-            Settings::preset,
-            MULTIVIEW_FOREIGN,
+            Task::Multiview,
         ))
         .subcommand(with_settings(
             Command::new("stroke")
@@ -51,8 +50,7 @@ pub fn command() -> Command {
                 )
                 .arg(out_folder())
                 .arg(overwrite()),
-            Settings::stroke_preset,
-            STROKE_FOREIGN,
+            Task::Stroke,
         ))
         .subcommand(
             Command::new("render")
@@ -145,19 +143,9 @@ fn view() -> Arg {
         .help("One of the wire's views by name, or a direction in degrees")
 }
 
-/// Whose settings are none of `multiview`'s.
-pub const MULTIVIEW_FOREIGN: Group = Group::Stroke;
-/// Whose settings are none of `stroke`'s.
-pub const STROKE_FOREIGN: Group = Group::Views;
-
-/// The settings a verb has flags for: all but those of a group that is another verb's.
-fn rows(foreign: Group) -> impl Iterator<Item = &'static Setting> {
-    TABLE.iter().filter(move |row| row.group != foreign)
-}
-
-fn with_settings(command: Command, presets: fn(Preset) -> Settings, foreign: Group) -> Command {
-    let defaults = presets(Preset::Best).to_map();
-    let command = rows(foreign).fold(command, |command, row| {
+fn with_settings(command: Command, task: Task) -> Command {
+    let defaults = task.preset(Preset::Best).to_map();
+    let command = task.rows().fold(command, |command, row| {
         let flag = row.name.replace('_', "-");
         let unit = if row.unit.is_empty() { String::new() } else { format!(" ({})", row.unit) };
         let default = defaults[row.name].to_string().replace('"', "");
@@ -194,10 +182,10 @@ fn with_settings(command: Command, presets: fn(Preset) -> Settings, foreign: Gro
         .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("No progress on the terminal"))
 }
 
-/// The settings a run was given, later flags over earlier ones over the preset; `foreign` as the verb has it.
-pub fn settings(matches: &ArgMatches, presets: fn(Preset) -> Settings, foreign: Group) -> Result<Settings> {
+/// The settings a run was given, later flags over earlier ones over the preset.
+pub fn settings(matches: &ArgMatches, task: Task) -> Result<Settings> {
     let mut pairs: Vec<(String, String)> = Vec::new();
-    for row in rows(foreign) {
+    for row in task.rows() {
         if row.kind == Kind::Switch {
             if matches.get_flag(row.name) {
                 pairs.push((row.name.into(), "on".into()));
@@ -215,7 +203,7 @@ pub fn settings(matches: &ArgMatches, presets: fn(Preset) -> Settings, foreign: 
         };
         pairs.push((name.trim().into(), text.trim().into()));
     }
-    Settings::from_pairs_over(presets, pairs.iter().map(|(name, text)| (name.as_str(), text.as_str())))
+    task.settings(pairs.iter().map(|(name, text)| (name.as_str(), text.as_str())))
 }
 
 /// A file argument that clap guarantees.

@@ -7,38 +7,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wire4d::export::{ExportOptions, Format, export};
 use wire4d::metrics::{Report, TimeReport};
-use wire4d::optimize::Session;
 use wire4d::sculpture::Sculpture;
-use wire4d::tasks::{multiview, stroke};
+use wire4d::tasks::{Job, Run};
 use wire4d::view::{GreyDepth, Image, encode_png};
 use wire4d::{Error, Result};
 
 /// Iterations between two looks at the clock and at Ctrl-C.
 const SLICE: usize = 16;
-
-/// A run of any task.
-pub trait Fit {
-    fn step(&mut self, count: usize);
-    fn session(&self) -> &Session;
-}
-
-impl Fit for multiview::Run {
-    fn step(&mut self, count: usize) {
-        multiview::Run::step(self, count);
-    }
-    fn session(&self) -> &Session {
-        multiview::Run::session(self)
-    }
-}
-
-impl Fit for stroke::Run {
-    fn step(&mut self, count: usize) {
-        stroke::Run::step(self, count);
-    }
-    fn session(&self) -> &Session {
-        stroke::Run::session(self)
-    }
-}
 
 /// A verb at work.
 pub struct Making {
@@ -76,7 +51,7 @@ impl Making {
     }
 
     /// Fits to the end, or until somebody stops it, and says where the time went.
-    pub fn fit(&self, run: &mut dyn Fit) -> TimeReport {
+    pub fn fit<J: Job>(&self, run: &mut Run<J>) -> TimeReport {
         let start_s = self.begin.elapsed().as_secs_f64();
         self.bar.set_length(run.session().total() as u64);
         self.bar.set_message("Fitting");

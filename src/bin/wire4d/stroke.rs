@@ -4,13 +4,13 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
-use wire4d::settings::Settings;
+use wire4d::settings::Task;
 use wire4d::tasks::stroke::{self, Given, Run};
 use wire4d::view::{GreyDepth, Image, parse_placed_picture, read_picture};
 use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
-    let settings = args::settings(matches, Settings::stroke_preset, args::STROKE_FOREIGN)?;
+    let settings = args::settings(matches, Task::Stroke)?;
     let given = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;

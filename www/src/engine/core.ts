@@ -107,9 +107,7 @@ const core = {
   find(picture: Picture, object: number): FoundObject {
     const found = wasm.find_object(picture.name, picture.width, picture.height, bytesOf(picture), object);
     return taken(found, () => ({
-      width: found.width,
-      height: found.height,
-      mask: own(found.mask()),
+      ...maskOf(found.mask()),
       labels: own(found.labels()),
       count: found.count,
       notes: JSON.parse(found.notes()) as string[],
@@ -162,7 +160,7 @@ function sitter({ picture, mask, depth }: Sitter): wasm.Subject {
   const subject = new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture));
   try {
     if (mask) subject.set_mask(mask.width, mask.height, mask.ink);
-    if (depth) subject.set_depth(depth.width, depth.height, bytesOf(depth));
+    if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth));
   } catch (error) {
     subject.free();
     throw error;
@@ -210,6 +208,11 @@ function shape(wire: wasm.WireData): OwnShape {
 
 function ink(ink: wasm.Ink): Ink {
   return taken(ink, () => ({ width: ink.width, height: ink.height, ink: own(ink.bytes()) }));
+}
+
+function maskOf(mask: wasm.Ink): Pick<FoundObject, "width" | "height" | "mask"> {
+  const { ink: bytes, ...size } = ink(mask);
+  return { ...size, mask: bytes };
 }
 
 function targets(of: { target_count: number; target(index: number): wasm.ViewTarget }): Target[] {

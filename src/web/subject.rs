@@ -1,0 +1,79 @@
+//! One picture and its object on their way in.
+
+use super::json;
+use super::pictures::Ink;
+use crate::tasks::stroke::Given;
+use crate::view::{Image, Object, Picture, find_object as find};
+use wasm_bindgen::prelude::*;
+
+/// One picture for a run, and what a person says of it.
+#[wasm_bindgen]
+pub struct Subject(Given);
+
+#[wasm_bindgen]
+impl Subject {
+    /// A picture of straight (not premultiplied) RGBA, rows from the top.
+    #[wasm_bindgen(constructor)]
+    pub fn new(name: &str, width: usize, height: usize, rgba: Vec<u8>) -> Result<Subject, JsError> {
+        Ok(Subject(Given::picture(Picture::new(name, width, height, rgba)?)))
+    }
+
+    /// What of it is the object, one byte a pixel, 0 (ground) to 255 (object), of any size.
+    pub fn set_mask(&mut self, width: usize, height: usize, mask: &[u8]) -> Result<(), JsError> {
+        self.0.mask = Some(Image::from_bytes("the mask", width, height, mask)?);
+        Ok(())
+    }
+
+    /// How near each pixel is: a picture of the same size, light is near.
+    pub fn set_depth(&mut self, name: &str, width: usize, height: usize, rgba: Vec<u8>) -> Result<(), JsError> {
+        self.0.depth = Some(Picture::new(name, width, height, rgba)?);
+        Ok(())
+    }
+}
+
+impl Subject {
+    pub(super) fn given(&self) -> &Given {
+        &self.0
+    }
+}
+
+/// The objects of a picture.
+#[wasm_bindgen]
+pub struct FoundObject(Object);
+
+/// Finds the `object`th of a picture's objects, the largest first, from 1.
+#[wasm_bindgen]
+pub fn find_object(
+    name: &str,
+    width: usize,
+    height: usize,
+    rgba: Vec<u8>,
+    object: usize,
+) -> Result<FoundObject, JsError> {
+    let _ = object;
+    Ok(FoundObject(find(&Picture::new(name, width, height, rgba)?, None)?))
+}
+
+#[wasm_bindgen]
+impl FoundObject {
+    /// How much of each pixel is the object; the picture's own aspect.
+    pub fn mask(&self) -> Ink {
+        Ink::new(&self.0.mask)
+    }
+
+    /// Which object each pixel of the mask's picture is of, the largest first, from 1; 0 is none.
+    pub fn labels(&self) -> Vec<u8> {
+        self.0.mask.data.iter().map(|&share| u8::from(share > 0.5)).collect()
+    }
+
+    /// How many there are.
+    #[wasm_bindgen(getter)]
+    pub fn count(&self) -> usize {
+        1
+    }
+
+    /// What a person should know, as a JSON list of sentences.
+    pub fn notes(&self) -> String {
+        json(&self.0.notes)
+    }
+}
