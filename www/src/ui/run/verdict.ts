@@ -22,13 +22,13 @@ export function verdict(made: Made): string {
     const value = match(view);
     return value === null ? [] : [{ ...view, value, ...(view.bent ?? {}) }];
   });
-  if (views.length === 0) return `${pieces(measures.components)}. Its pictures are not with it, so there is nothing to compare.`;
+  if (views.length === 0) return `${pieces(measures.components)}. Its drawings are not with it, so there is nothing to compare.`;
   // Sides that nobody gave have no picture to be like.
   const ofOne = made.track?.given.job === "stroke";
   const given = ofOne ? views.slice(0, 1) : views;
   const worst = given.reduce((a, b) => (b.value < a.value ? b : a));
   const flaw = flawOf(worst, ofOne ? "the picture" : subject(made, worst.name), ofOne);
-  const good = praise(given.filter(({ value }) => value >= GOOD).map(({ name }) => name), given.length);
+  const good = praise(given.filter(({ value }) => value >= GOOD).map(({ name }) => name), given.length, ofOne);
   const apart = measures.components > 1;
   const sentences = [
     `${good}${flaw.words ? `; ${flaw.words}` : apart ? "" : ", in one piece of wire"}.`,
@@ -43,9 +43,10 @@ function pieces(count: number): string {
   return count === 1 ? "One piece of wire" : `${count} pieces of wire`;
 }
 
-function praise(good: readonly string[], all: number): string {
-  if (good.length === all) return ["The front matches well", "Both views match well"][all - 1] ?? "Every view matches well";
-  if (good.length === 0) return all === 1 ? "The front does not match well yet" : "No view matches well yet";
+function praise(good: readonly string[], all: number, ofOne: boolean): string {
+  if (ofOne) return good.length ? "The front matches well" : "The front does not match well yet";
+  if (good.length === all) return all === 2 ? "Both views match well" : "Every view matches well";
+  if (good.length === 0) return "No view matches well yet";
   const names = good.length === 1 ? good[0]! : `${good.slice(0, -1).join(", ")} and ${good.at(-1)!}`;
   return `${names.charAt(0).toUpperCase()}${names.slice(1)} ${good.length === 1 ? "matches" : "match"} well`;
 }
