@@ -2,7 +2,7 @@ import { css, html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
-import { tell } from "./subject-pad";
+import { tell } from "./subject-events";
 
 type Phase = "asking" | "live" | "failed";
 
@@ -132,7 +132,7 @@ export class CameraDialog extends LitElement {
     try {
       const stream = await navigator.mediaDevices.getUserMedia({ video: deviceId ? { deviceId: { exact: deviceId } } : { facingMode: "environment" } });
       // Somebody may have closed it before the browser answered.
-      if (!this.isConnected || !this.dialog.open) return stopped(stream);
+      if (!this.isConnected || !this.dialog.open) return letGo(stream);
       this.stop();
       this.stream = stream;
       this.video.srcObject = stream;
@@ -168,7 +168,7 @@ export class CameraDialog extends LitElement {
   }
 
   private stop(): void {
-    if (this.stream) stopped(this.stream);
+    if (this.stream) letGo(this.stream);
     this.stream = null;
     if (this.hasUpdated) this.video.srcObject = null;
   }
@@ -179,7 +179,7 @@ export class CameraDialog extends LitElement {
   }
 }
 
-function stopped(stream: MediaStream): void {
+function letGo(stream: MediaStream): void {
   for (const track of stream.getTracks()) track.stop();
 }
 

@@ -8,7 +8,7 @@ import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
 import "./subject-canvas";
-import { tell } from "./subject-pad";
+import { tell } from "./subject-events";
 
 /** Percent of the picture's longer side. */
 const WIDTH = { least: 1, most: 25 };
@@ -47,6 +47,11 @@ export class MaskEditor extends LitElement {
         position: absolute;
         inset: 0;
         transition: opacity 150ms ease;
+      }
+      subject-canvas::part(frame) {
+        border: 1px solid var(--line);
+        border-radius: 6px;
+        box-shadow: var(--shadow);
       }
       .busy subject-canvas {
         opacity: 0.4;
@@ -123,7 +128,7 @@ export class MaskEditor extends LitElement {
           <div class="side" ?inert=${locked}>
             <div class="panel">
               ${segmented({
-                legend: "Brush",
+                legend: "Strokes",
                 name: "brush",
                 options: [
                   { value: "add", words: "Add", title: "Paint what belongs to the object (X)" },

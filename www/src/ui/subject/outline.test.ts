@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Ink } from "../../engine/protocol";
-import { outline } from "./outline";
+import { outline, SOFT_LEVEL, softened } from "./outline";
 
 const filled = (width: number, height: number, inside: (x: number, y: number) => number): Ink => ({
   width,
@@ -47,4 +47,17 @@ it("keeps shapes apart that meet at a corner, and is nothing where nothing is", 
   expect(loose(corners)).toBe(0);
   expect(outline(filled(5, 5, () => 0))).toHaveLength(0);
   expect(outline(filled(5, 5, () => 127))).toHaveLength(0);
+});
+
+it("loses the stairs of a mask without shades, and no thin lines", () => {
+  const hard = filled(60, 40, (x, y) => (Math.hypot(x - 30, y - 20) < 12 ? 255 : 0));
+  const spread = (segments: Float32Array): number => {
+    const radii = Array.from({ length: segments.length / 2 }, (_, i) => Math.hypot(segments[2 * i]! - 30, segments[2 * i + 1]! - 20));
+    return Math.max(...radii) - Math.min(...radii);
+  };
+  expect(spread(outline(softened(hard), SOFT_LEVEL))).toBeLessThan(0.7 * spread(outline(hard)));
+  for (const line of [filled(20, 20, (x) => (x === 9.5 ? 255 : 0)), filled(20, 20, (x, y) => (x === y ? 255 : 0))]) {
+    expect(length(outline(softened(line), SOFT_LEVEL))).toBeGreaterThan(2 * 18);
+  }
+  expect(softened(filled(9, 5, () => 255)).ink.every((value) => value === 255)).toBe(true);
 });

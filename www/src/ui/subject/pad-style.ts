@@ -69,8 +69,12 @@ export const padStyle = css`
     margin: 0;
   }
   .ways {
-    display: grid;
+    display: flex;
+    flex-wrap: wrap;
     gap: 8px;
+  }
+  .ways button {
+    flex: 1 1 auto;
   }
   .landing {
     position: absolute;
@@ -121,9 +125,11 @@ export const padStyle = css`
   .shelf {
     display: grid;
     grid-template-columns: repeat(5, minmax(0, 1fr));
-    align-items: center;
-    gap: 8px;
-    min-height: 52px;
+    gap: 4px 8px;
+  }
+  .shelf p {
+    grid-column: 1 / -1;
+    margin: 0;
   }
   .shelf button {
     aspect-ratio: 1;
@@ -163,8 +169,25 @@ export const padStyle = css`
   .group p {
     margin: 0;
   }
-  /* Less wide than this, two buttons side by side would break their words. */
-  @container (min-width: 300px) {
+  /* A narrow column on a small desk. */
+  @container (max-width: 199px) {
+    .invitation,
+    .ways button {
+      padding-inline: 4px;
+      font-size: 13px;
+    }
+    .invitation {
+      gap: 8px;
+    }
+    .tools {
+      gap: 0;
+    }
+    .shelf {
+      column-gap: 4px;
+    }
+  }
+  /* A phone: wide, and low. */
+  @container (min-width: 260px) {
     .row {
       grid-template-columns: minmax(0, 1fr) 76px;
     }
@@ -186,9 +209,6 @@ export const padStyle = css`
     .empty .shelf {
       grid-template-columns: repeat(5, minmax(44px, 56px));
       justify-content: space-between;
-    }
-    .ways {
-      grid-template-columns: auto auto;
     }
     .line {
       min-height: 20px;

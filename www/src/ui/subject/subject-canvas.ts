@@ -8,7 +8,7 @@ import { maskOf, maskSize, maskStroke, paint, placesOf, type Brush, type MaskStr
 import { PLAIN } from "../../view/paint";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
-import { outline } from "./outline";
+import { outline, SOFT_LEVEL, softened } from "./outline";
 
 /** A place in the picture, in shares of its width and height. */
 export type Place = readonly [x: number, y: number];
@@ -64,7 +64,6 @@ export class SubjectCanvas extends Part {
         display: grid;
         place-items: center;
         container-type: size;
-        overflow: hidden;
       }
       .frame {
         position: relative;
@@ -154,6 +153,7 @@ export class SubjectCanvas extends Part {
     const { subject, brush } = this;
     const paints = subject && brush;
     return html`<div
+        part="frame"
         class="frame ${paints ? "paintable" : "tappable"}"
         ?hidden=${!subject}
         role=${paints ? "application" : "img"}
@@ -342,7 +342,7 @@ function paintOver(canvas: HTMLCanvasElement, scale: number, mask: Ink, { found,
   context.stroke();
   context.globalCompositeOperation = "source-over";
   const line = (ink: Ink, inner: string, innerPx: number): void => {
-    const path = pathOf(outline(ink), width / ink.width, height / ink.height);
+    const path = pathOf(outline(softened(ink), SOFT_LEVEL), width / ink.width, height / ink.height);
     context.lineCap = "round";
     for (const [stroke, alpha, px] of [[colour("raised"), 0.85, innerPx + 2], [inner, 1, innerPx]] as const) {
       context.globalAlpha = alpha;

@@ -1,37 +1,16 @@
-import { html, nothing } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { paintSample, sampleFile, SAMPLES, type Sample } from "../../state/subject/samples";
-import { objectAt, type MaskStroke, type Subject } from "../../state/subject/subject";
+import { objectAt, type Subject } from "../../state/subject/subject";
 import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
+import { padStyle } from "./pad-style";
+import { tell } from "./subject-events";
 import "./subject-canvas";
 import { MOST_NUMBERS, type Place } from "./subject-canvas";
-import { padStyle } from "./pad-style";
-
-/** A picture that somebody gives, with what to call it. */
-export interface Given {
-  readonly file: Blob;
-  readonly name: string;
-}
-
-/** What the pad and the brush's sheet tell; all of these bubble out of every shadow root. */
-export interface SubjectEvents {
-  give: Given;
-  "give-depth": Given;
-  "clear-depth": null;
-  "clear-subject": null;
-  "choose-object": { readonly object: number };
-  /** The new list of strokes. */
-  paint: { readonly strokes: readonly MaskStroke[] };
-  "open-brush": null;
-}
-
-export function tell<Kind extends keyof SubjectEvents>(from: EventTarget, kind: Kind, detail: SubjectEvents[Kind]): void {
-  from.dispatchEvent(new CustomEvent(kind, { detail, bubbles: true, composed: true }));
-}
 
 /** How far a tap may miss a thing, a share of the picture's longer side. */
 const REACH = 0.04;
@@ -57,6 +36,11 @@ export class SubjectPad extends Part {
   private readonly hasCamera = "mediaDevices" in navigator;
 
   static override styles = [controls, segmentedStyle, foldStyle, padStyle];
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    // The same may go wrong twice.
+    if (changed.has("problem")) this.readProblem = "";
+  }
 
   override render() {
     const { subject, busy, locked, problem } = this;
@@ -122,12 +106,12 @@ export class SubjectPad extends Part {
         <button ?disabled=${locked} @click=${() => this.file.click()}>${icons.picture}Choose picture</button>
         ${this.hasCamera ? html`<button id="camera" ?disabled=${locked} @click=${this.shoot}>${icons.camera}Camera</button>` : nothing}
       </div>
-      <p class="small quiet">It stays on this device.</p>
     </div>`;
   }
 
   private shelf() {
-    return html`<div class="shelf" role="group" aria-label="Pictures to try">
+    return html`<div class="shelf small quiet" role="group" aria-label="Pictures to try">
+      <p>Or try one of these</p>
       ${SAMPLES.map(
         (sample) => html`<button title=${sample.name} aria-label="Try the ${sample.name.toLowerCase()}" ?disabled=${this.locked} @click=${() => this.take(sample)}>
           <canvas width=${SHELF_PX} height=${SHELF_PX} data-sample=${sample.name}></canvas>
@@ -140,7 +124,7 @@ export class SubjectPad extends Part {
   private line() {
     const { subject, busy, note } = this;
     if (busy) return subject ? "Looking for the object…" : "Reading…";
-    if (!subject) return "Or try one of these.";
+    if (!subject) return "Your picture stays on this device.";
     const words = note || subject.found?.notes.join(" ");
     if (words) return html`<span title=${words}>${words}</span>`;
     if (subject.strokes.length > 0) return "In colour: the object, with your strokes.";
