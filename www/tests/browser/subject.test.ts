@@ -5,7 +5,7 @@ import type { Browser, Page } from "playwright-core";
 import { build } from "vite";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { launch, ROOT, serveDist, visit, type Site, type VisitOptions } from "./browser";
+import { launch, picture, ROOT, serveDist, visit, type Site, type VisitOptions } from "./browser";
 import { drawStroke, dropFiles, pasteFile } from "./gestures";
 
 const PLACE = join(ROOT, "www/tests/browser/subject");
@@ -20,7 +20,7 @@ let faults: string[];
 
 beforeAll(async () => {
   await build({ root: PLACE, base: "./", logLevel: "error", publicDir: false, build: { outDir: BUILT, emptyOutDir: true, target: "es2022", assetsInlineLimit: 0 } });
-  browser = await launch({ args: ["--use-fake-device-for-media-stream"] });
+  browser = await launch({ args: ["--use-fake-device-for-media-stream=device-count=2"] });
   site = await serveDist("/", BUILT);
 });
 afterAll(async () => {
@@ -179,8 +179,11 @@ describe("the camera", () => {
     expect(await live()).toEqual(["live"]);
     await page.waitForTimeout(500);
     await inspect(page, "camera");
+    await button("Other camera").click();
+    await expect.poll(live).toEqual(["ended", "live"]);
+    expect(new Set(await page.evaluate(() => (window as unknown as { given: MediaStream[] }).given.map((stream) => stream.getVideoTracks()[0]!.label))).size).toBe(2);
     await button("Cancel").click();
-    await expect.poll(live).toEqual(["ended"]);
+    await expect.poll(live).toEqual(["ended", "ended"]);
     expect(await kinds()).toEqual([]);
     expect(await page.evaluate(() => (document.querySelector("subject-pad")!.shadowRoot!.activeElement as HTMLElement).id)).toBe("camera");
     await button("Camera").click();
@@ -188,7 +191,7 @@ describe("the camera", () => {
     await button("Take").click();
     await expect.poll(async () => (await subject())?.picture.name).toBe("Photo");
     expect((await subject())?.picture.width).toBeGreaterThan(200);
-    await expect.poll(live).toEqual(["ended", "ended"]);
+    await expect.poll(live).toEqual(["ended", "ended", "ended"]);
   });
 
   it("says so if it is refused", async () => {
@@ -260,6 +263,19 @@ describe("the brush", () => {
     await expect.poll(() => veiled()).toBeCloseTo(found, 3);
     await button("Done").click();
     await expect.poll(() => editor().count()).toBe(0);
+  });
+
+  it("paints where nothing was found, and nothing is veiled before", async () => {
+    await open();
+    const blank = await picture(page, 400, 300, "blank");
+    await pad().locator("#file").setInputFiles({ name: "fog.png", mimeType: "image/png", buffer: blank });
+    await page.getByText("Nothing found").waitFor();
+    await button("Brush").click();
+    expect(await veiled()).toBe(0);
+    await drawStroke(page, large(), [[0.3, 0.5], [0.7, 0.5]]);
+    await expect.poll(() => veiled()).toBeGreaterThan(0.8);
+    expect((await subject())?.strokes[0]!.points.map((value) => Math.round(50 * value) / 50)).toEqual([0.3, 0.5, 0.7, 0.5]);
+    await inspect(page, "subject-nothing-found");
   });
 
   it("works with keys alone", async () => {

@@ -66,7 +66,7 @@ function cat(context: Context): void {
   context.stroke();
   context.beginPath();
   context.moveTo(0.27, 0.89);
-  context.bezierCurveTo(0.22, 0.68, 0.3, 0.6, 0.31, 0.48);
+  context.bezierCurveTo(0.22, 0.68, 0.3, 0.6, 0.33, 0.44);
   context.lineTo(0.56, 0.44);
   context.bezierCurveTo(0.64, 0.55, 0.76, 0.66, 0.72, 0.89);
   context.closePath();

@@ -40,10 +40,11 @@ export class SubjectPad extends Part {
   protected override willUpdate(changed: PropertyValues<this>): void {
     // The same may go wrong twice.
     if (changed.has("problem")) this.readProblem = "";
+    if (this.locked) this.shooting = false;
   }
 
   override render() {
-    const { subject, busy, locked, problem } = this;
+    const { subject, busy, problem } = this;
     return html`
       <section
         class="${this.over ? "over" : ""} ${busy ? "busy" : ""} ${subject || busy ? "" : "empty"}"
@@ -81,7 +82,7 @@ export class SubjectPad extends Part {
         ${subject ? [this.choice(subject), this.depth(subject)] : nothing}
         <input id="file" type="file" accept="image/*" hidden tabindex="-1" aria-label="Picture" @change=${(event: Event) => this.chosen(event, "give")} />
         <input id="depth-file" type="file" accept="image/*" hidden tabindex="-1" aria-label="Depth picture" @change=${(event: Event) => this.chosen(event, "give-depth")} />
-        ${this.shooting && !locked ? html`<camera-dialog @close-camera=${this.putCameraAway}></camera-dialog>` : nothing}
+        ${this.shooting ? html`<camera-dialog @close-camera=${this.putCameraAway}></camera-dialog>` : nothing}
       </section>
     `;
   }
