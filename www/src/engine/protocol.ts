@@ -37,6 +37,19 @@ export interface FoundInk extends Ink {
   readonly polarity: "dark" | "light";
 }
 
+/** What of one picture is the object. */
+export interface FoundObject {
+  readonly width: number;
+  readonly height: number;
+  /** How much of each pixel is the object, 0 to 255; of the picture's own aspect, at most 512 px a side. */
+  readonly mask: Uint8Array<ArrayBuffer>;
+  /** Which object each pixel is, the largest first, from 1; 0 where there is nothing. */
+  readonly labels: Uint8Array<ArrayBuffer>;
+  readonly count: number;
+  /** What makes the finding doubtful, in sentences. */
+  readonly notes: readonly string[];
+}
+
 /** A drawing as it goes into a run: ink with the name of its pad. */
 export interface Drawing extends Ink {
   readonly name: string;
@@ -45,20 +58,6 @@ export interface Drawing extends Ink {
 /** What the app can do: several drawings to one wire, or one picture to a wire in the round. */
 export const JOBS = ["multiview", "stroke"] as const;
 export type Job = (typeof JOBS)[number];
-
-/** The object in a picture, as the app found it. */
-export interface FoundObject {
-  /** Of the picture's aspect, 512 px at most. */
-  readonly width: number;
-  readonly height: number;
-  /** 0 (ground) to 255 (object). */
-  readonly mask: Uint8Array<ArrayBuffer>;
-  /** 0 for none, else the object from 1, the largest first. */
-  readonly labels: Uint8Array<ArrayBuffer>;
-  readonly count: number;
-  /** What a person should know, in sentences. */
-  readonly notes: readonly string[];
-}
 
 /** One picture as it goes into a run. */
 export interface Sitter {

@@ -1,5 +1,6 @@
 /** What people do with the one picture of the second job: give it, say what of it is meant, and how deep it is. */
 
+import { Problem } from "../../engine/client";
 import { kept, pixelsOf, readPicture } from "../drawing/picture";
 import type { MaskStroke, Subject } from "../subject/subject";
 import { QUIET, type Bench, type PadState } from "../studio-state";
@@ -12,9 +13,15 @@ export class Sitting {
   async give(file: Blob, name: string): Promise<void> {
     await this.attempt(name, async () => {
       const { note, ...pixels } = await readPicture(file, name);
-      const picture = kept(pixels, name);
-      const found = await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1 }, [pixels.rgba.buffer]);
-      this.bench.edit(`Take the picture ${name}`, { subject: { picture, object: 1, strokes: [], found, depth: null } });
+      const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth: null };
+      const take = (found: Subject["found"]): void => this.bench.edit(`Take the picture ${name}`, { subject: { ...subject, found } });
+      try {
+        take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1 }, [pixels.rgba.buffer]));
+      } catch (error) {
+        // Where the app finds nothing, the person may paint it.
+        if (error instanceof Problem) take(null);
+        throw error;
+      }
       return note;
     });
   }
@@ -25,7 +32,7 @@ export class Sitting {
     if (!subject || object === subject.object) return;
     await this.attempt(subject.picture.name, async () => {
       const found = await this.bench.engine.call("find", { picture: await pixelsOf(subject.picture), object });
-      if (this.subject === subject) this.bench.edit("Choose another object", { subject: { ...subject, object, found, strokes: [] } });
+      if (this.subject === subject) this.bench.edit("Choose another object", { subject: { ...subject, object, found } });
     });
   }
 
@@ -35,8 +42,13 @@ export class Sitting {
   }
 
   async giveDepth(file: Blob, name: string): Promise<void> {
+    if (!this.subject) return;
     await this.attempt(name, async () => {
       const { note, ...pixels } = await readPicture(file, name);
+      const { width, height } = this.subject!.picture;
+      if (pixels.width !== width || pixels.height !== height) {
+        throw new Problem(`${name} is ${pixels.width} × ${pixels.height} pixels and the picture ${width} × ${height}. Give a depth picture of the same size.`);
+      }
       this.change({ depth: kept(pixels, name) }, `Take ${name} for the depth`);
       return note;
     });

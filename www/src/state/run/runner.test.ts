@@ -155,6 +155,7 @@ it("gives the engine one picture with its object, and none where the app is to f
   const picture = { name: "cat.png", width: 2, height: 2, rgba: new Blob([rgba]) };
   const found = { width: 1, height: 2, mask: Uint8Array.of(0, 255), labels: Uint8Array.of(0, 1), count: 1, notes: [] };
   const subject: Subject = { picture, object: 1, strokes: [], found, depth: null };
+  work = undefined as never;
   void runner.run(freshTrack({ job: "stroke", subject }, {}), Promise.resolve("cpu"));
   await vi.waitFor(() => expect(work).toBeDefined());
   expect(work).toEqual({ job: "stroke", subject: { picture: { name: "cat.png", width: 2, height: 2, rgba }, mask: { width: 1, height: 2, ink: found.mask }, depth: null } });

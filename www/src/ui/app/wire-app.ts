@@ -18,7 +18,8 @@ import { controls } from "../shared/shared";
 import { actionOf, isTaken, type Action } from "./shortcuts";
 import { tabs, tabsStyle, type Tab } from "./tabs";
 import "./top-bar";
-import type { MaskStroke, Subject } from "../../state/subject/subject";
+import type { Subject } from "../../state/subject/subject";
+import type { SubjectEvents } from "../subject/subject-events";
 import type { Heading } from "../../view/heading";
 import type { WireComparison } from "../run/wire-comparison";
 import type { WireStage } from "../stage/wire-stage";
@@ -45,7 +46,6 @@ export class WireApp extends LitElement {
   @query("result-panel") private result!: ResultPanel;
   @query("save-panel") private saving!: SavePanel;
   @query("wire-comparison") private comparison!: WireComparison;
-  @query("input.file") private file!: HTMLInputElement;
   @query("live-region") private live!: LiveRegion;
   /** Whether a run has ended since somebody last looked. */
   private unseen = false;
@@ -81,7 +81,7 @@ export class WireApp extends LitElement {
         ${one && this.brushing && now.doc.subject ? this.maskEditor(now.doc.subject) : nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
         <div class="right">
-          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })} @choose-picture=${() => this.file.click()}></run-panel>
+          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })} @choose-picture=${this.choosePicture}></run-panel>
           <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom}>
             ${this.narrow.matches ? this.timeLine() : nothing}
             ${one
@@ -108,7 +108,6 @@ export class WireApp extends LitElement {
         </div>
         ${this.narrow.matches ? tabs(this.tab, one, (tab) => (this.tab = tab)) : nothing}
       </main>
-      <input class="file" type="file" accept="image/*" hidden @change=${this.chooseFile} />
       <drop-hint ?locked=${!idle} ?one=${one} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region></live-region>
     `;
@@ -123,27 +122,32 @@ export class WireApp extends LitElement {
   private subject() {
     const { sitting } = this.studio;
     const { doc, phase, sitting: passing } = this.now;
-    type Gift = CustomEvent<{ readonly file: Blob; readonly name: string }>;
     return html`<subject-pad
       .subject=${doc.subject}
       .busy=${passing.busy}
       .problem=${passing.problem}
       .note=${passing.note}
       .locked=${phase !== "idle"}
-      @give=${({ detail }: Gift) => void sitting.give(detail.file, detail.name)}
-      @paint=${({ detail }: CustomEvent<{ readonly strokes: readonly MaskStroke[] }>) => sitting.paint(detail.strokes)}
-      @choose-object=${({ detail }: CustomEvent<{ readonly object: number }>) => void sitting.chooseObject(detail.object)}
+      @give=${({ detail }: Told<"give">) => void sitting.give(detail.file, detail.name)}
+      @choose-object=${({ detail }: Told<"choose-object">) => void sitting.chooseObject(detail.object)}
       @clear-subject=${() => sitting.clear()}
       @open-brush=${this.openBrush}
-      @give-depth=${({ detail }: Gift) => void sitting.giveDepth(detail.file, detail.name)}
+      @give-depth=${({ detail }: Told<"give-depth">) => void sitting.giveDepth(detail.file, detail.name)}
       @clear-depth=${() => sitting.clearDepth()}
     ></subject-pad>`;
   }
 
   private maskEditor(subject: Subject) {
+    const { studio, now } = this;
     return html`<mask-editor
       .subject=${subject}
-      @paint=${({ detail }: CustomEvent<{ readonly strokes: readonly MaskStroke[] }>) => this.studio.sitting.paint(detail.strokes)}
+      .busy=${now.sitting.busy}
+      .locked=${now.phase !== "idle"}
+      .undo=${now.undo}
+      .redo=${now.redo}
+      @paint=${({ detail }: Told<"paint">) => studio.sitting.paint(detail.strokes)}
+      @undo=${() => studio.undo()}
+      @redo=${() => studio.redo()}
       @close-editor=${() => (this.brushing = false)}
     ></mask-editor>`;
   }
@@ -263,10 +267,14 @@ export class WireApp extends LitElement {
 
   private readonly lookFrom = ({ detail }: CustomEvent<Heading>): void => this.stage.lookFrom(detail);
 
-  private readonly chooseFile = (event: Event): void => {
-    const input = event.target as HTMLInputElement;
-    void this.studio.takeFiles([...(input.files ?? [])]);
-    input.value = "";
+  /** An empty pad, with all the ways to fill it. */
+  private readonly choosePicture = async (): Promise<void> => {
+    this.tab = "pictures";
+    this.studio.startOver();
+    await this.updateComplete;
+    const pad = this.renderRoot.querySelector<LitElement>("subject-pad");
+    await pad?.updateComplete;
+    pad?.renderRoot.querySelector<HTMLElement>(".ways button")?.focus();
   };
 
   private readonly changeLook = (event: Event): void => {
@@ -312,6 +320,8 @@ export class WireApp extends LitElement {
     dialog.show();
   }
 }
+
+type Told<Kind extends keyof SubjectEvents> = CustomEvent<SubjectEvents[Kind]>;
 
 /** Whether a run has come to its wire; undo and redo bring wires back, too, but those are known. */
 function hasJustMade(before: StudioState, now: StudioState): boolean {

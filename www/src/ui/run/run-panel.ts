@@ -174,7 +174,7 @@ export class RunPanel extends Part {
     return html`
       <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example ? "Make it again" : "Run"}</button>
       ${this.state.doc.job === "stroke"
-        ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-picture"))}>${icons.picture} Choose a picture</button>`
+        ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-picture"))}>${icons.picture} ${example || given(this.state) === 0 ? "Use your own" : "Start over"}</button>`
         : html`<button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>`}
     `;
   }
