@@ -29,34 +29,29 @@ export class StrokeChoices extends Part {
         display: grid;
         gap: 16px;
       }
-      fieldset:not(.segmented) {
+      .choice {
         display: grid;
-        gap: 4px;
         min-width: 0;
-        margin: 0;
-        padding: 0;
-        border: 0;
-      }
-      fieldset:not(.segmented) > legend {
-        float: left;
-        padding: 0;
-        font-size: 13px;
-        line-height: 24px;
-        color: var(--quiet);
       }
       .head {
         display: flex;
-        justify-content: flex-end;
+        align-items: center;
+        justify-content: space-between;
         gap: 8px;
         min-height: 24px;
         font-size: 13px;
-        line-height: 24px;
+        color: var(--quiet);
       }
       label {
         display: flex;
         align-items: center;
         gap: 8px;
+        color: var(--ink);
         cursor: pointer;
+      }
+      /* Where the app decides, it only says what moving it would begin with. */
+      .points.left {
+        opacity: 0.5;
       }
       input[type="checkbox"] {
         width: 18px;
@@ -81,7 +76,6 @@ export class StrokeChoices extends Part {
       @media (pointer: coarse) {
         .head {
           min-height: 44px;
-          align-items: center;
         }
       }
     `,
@@ -110,14 +104,15 @@ export class StrokeChoices extends Part {
     const points = this.number("control_points");
     const auto = points === 0;
     const set = (points: number): void => this.studio.options.set("control_points", String(points));
-    return html`<fieldset ?disabled=${this.locked}>
-      <legend>Abstraction</legend>
+    return html`<div class="choice" role="group" aria-labelledby="abstraction">
       <div class="head">
-        <label><input class="auto" type="checkbox" .checked=${auto} @change=${(event: Event) => set((event.target as HTMLInputElement).checked ? 0 : POINTS[1] / 2)} /> Auto</label>
+        <span id="abstraction">Abstraction</span>
+        <label><input class="auto" type="checkbox" ?disabled=${this.locked} .checked=${auto} @change=${(event: Event) => set((event.target as HTMLInputElement).checked ? 0 : POINTS[1] / 2)} /> Auto</label>
       </div>
       <input
-        class="points"
+        class=${auto ? "points left" : "points"}
         type="range"
+        ?disabled=${this.locked}
         aria-label="Abstraction, by the number of control points"
         aria-valuetext=${auto ? "chosen by the app" : `${count(points)} control points`}
         min=${POINTS[0]}
@@ -127,17 +122,17 @@ export class StrokeChoices extends Part {
         @change=${(event: Event) => set(Number((event.target as HTMLInputElement).value))}
       />
       <div class="ends"><span>A few bends</span><b>${auto ? "As many as it takes" : `${count(points)} points`}</b><span>Every line</span></div>
-    </fieldset>`;
+    </div>`;
   }
 
   private widths() {
     const [least, most] = [this.number("min_width"), this.number("max_width")];
     const constant = least === most;
     const unit = "px";
-    return html`<fieldset ?disabled=${this.locked}>
-      <legend>Width of the wire</legend>
+    return html`<div class="choice" role="group" aria-labelledby="widths">
       <div class="head">
-        <label><input class="constant" type="checkbox" .checked=${constant} @change=${this.makeConstant} /> Constant</label>
+        <span id="widths">Width of the wire</span>
+        <label><input class="constant" type="checkbox" ?disabled=${this.locked} .checked=${constant} @change=${this.makeConstant} /> Constant</label>
       </div>
       <two-ended
         .min=${WIDTHS[0]}
@@ -152,7 +147,7 @@ export class StrokeChoices extends Part {
         @choose=${(event: CustomEvent<Ends>) => this.setWidths(event.detail)}
       ></two-ended>
       <div class="ends"><b>${constant ? `${shown(least)} ${unit}` : `${shown(least)} to ${shown(most)} ${unit}`}</b><span>in a picture of 256 px</span></div>
-    </fieldset>`;
+    </div>`;
   }
 
   private number(name: string): number {
