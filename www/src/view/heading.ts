@@ -8,8 +8,8 @@ export interface Heading {
   readonly elevation: number;
 }
 
-/** World height of the picture: the unit ball with a margin, as the core's sides have it. */
-const HEIGHT_WORLD = 2.2;
+/** World height of the picture: the unit ball, in which every wire hangs. */
+const HEIGHT_WORLD = 2;
 const SIZE_PX = 256;
 /** From the middle; straight views do not mind. */
 const AWAY = 3;

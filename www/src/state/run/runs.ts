@@ -52,9 +52,12 @@ export class Runs {
     if (this.bench.busy) return;
     const { job } = this.bench.doc;
     const made = (): Made | null => this.bench.doc.desks[job].made;
-    if (made()?.source !== "run") await this.run();
+    const known = made()?.source === "run";
+    if (!known) await this.run();
     const track = made()?.track;
-    if (!track || this.bench.busy || this.bench.doc.job !== job) return;
+    // One that was stopped on the way was not to be compared after all.
+    const given = track && (known || !made()!.stopped);
+    if (!given || this.bench.busy || this.bench.doc.job !== job) return;
     await this.fit({ ...freshTrack(track.given, { ...track.settings, form: "bag" }), loose: true });
   }
 

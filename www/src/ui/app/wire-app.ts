@@ -3,7 +3,7 @@ import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../../embed/looks";
 import { addressed } from "../../state/address/address";
 import { nextTask } from "../../state/next-task";
-import { deskOf, JOBS, SLOTS, Studio, tableOf, type StudioState } from "../../state/studio";
+import { deskOf, SLOTS, Studio, tableOf, type StudioState } from "../../state/studio";
 import { layout, NARROW } from "./app-layout";
 import type { EditRequest } from "../pads/drawing-pad";
 import "./drop-hint";
@@ -218,7 +218,7 @@ export class WireApp extends LitElement {
     this.now = now;
     this.live.state = now;
     if (before.phase !== "idle" && now.phase === "idle") this.unseen = !document.hasFocus();
-    if (now.phase === "idle" && hasJustMade(before, now)) this.stage.tour();
+    if (hasJustMade(before, now)) this.stage.tour();
     if (now.doc.job !== before.doc.job) this.turnTo(now);
     if (now.doc !== before.doc && (now.undo !== null || now.doc.job !== before.doc.job)) this.readdress(now);
     this.retitle();
@@ -228,7 +228,6 @@ export class WireApp extends LitElement {
     this.editing = null;
     this.brushing = false;
     if (doc.job === "stroke") void loadStrokeParts();
-    // Seen with the pages' next look: the camera starts where everything is to be seen.
     this.stage.flyTo("room");
   }
 
@@ -323,10 +322,8 @@ export class WireApp extends LitElement {
 
 type Told<Kind extends keyof SubjectEvents> = CustomEvent<SubjectEvents[Kind]>;
 
-/** Whether a run has come to its wire; undo and redo bring wires back, too, but those are known. */
+/** Whether the run that was looked at has come to its wire. */
 function hasJustMade(before: StudioState, now: StudioState): boolean {
-  return JOBS.some((job) => {
-    const { made } = now.doc.desks[job];
-    return made?.source === "run" && made !== before.doc.desks[job].made && now.undo === "Make the wire" && now.redo === null;
-  });
+  const { made } = deskOf(now.doc);
+  return made !== deskOf(before.doc).made && made?.source === "run" && made.track === before.track;
 }
