@@ -144,7 +144,7 @@ export class MaskEditor extends LitElement {
                   <input type="number" aria-label="Size, percent of the picture" min=${WIDTH.least} max=${WIDTH.most} .value=${String(width)} @change=${this.setWidth} />
                 </div>
               </div>
-              <button ?disabled=${painted === 0} @click=${() => tell(this, "paint", { strokes: [] })}>${icons.reset} Use what was found</button>
+              <button ?disabled=${painted === 0} @click=${() => tell(this, "paint", { strokes: [] })}>${icons.reset} ${subject.found ? "Use what was found" : "Take the strokes away"}</button>
               <p class="small quiet status" role="status">${this.told(painted)}</p>
               <p class="small quiet fine">
                 With keys: <kbd>Tab</kbd> to the picture, arrows move, <kbd>Space</kbd> starts and ends a stroke, <kbd>X</kbd> swaps add and remove,
@@ -160,7 +160,8 @@ export class MaskEditor extends LitElement {
   private told(painted: number): string {
     if (this.busy) return "Looking for the object…";
     if (painted === 0) return this.subject.found ? "In colour: the object as it was found." : "Nothing found. Paint over the object.";
-    return painted === 1 ? "1 stroke over what was found." : `${painted} strokes over what was found.`;
+    const strokes = painted === 1 ? "1 stroke" : `${painted} strokes`;
+    return this.subject.found ? `${strokes} over what was found.` : `${strokes}. Nothing was found to begin with.`;
   }
 
   private step(words: string, icon: TemplateResult, label: string | null, kind: "undo" | "redo") {
