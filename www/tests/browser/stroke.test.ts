@@ -206,6 +206,44 @@ it("carries the job, the wire and its settings in a link", async () => {
   await other.context().close();
 });
 
+it("brings back what was kept before there was a second job, and its run that was cut off", async () => {
+  const context = await contextWithProfile(browser);
+  const { page: before } = await visit(context, `${site.url}icon.svg`);
+  await before.evaluate(async () => {
+    const request = indexedDB.open("wire4d", 1);
+    request.onupgradeneeded = () => {
+      request.result.createObjectStore("document");
+      request.result.createObjectStore("run");
+      request.result.createObjectStore("snapshots", { keyPath: "iteration" });
+    };
+    await new Promise((resolve) => (request.onsuccess = resolve));
+    const transaction = request.result.transaction(["document", "run"], "readwrite");
+    const bar = (from: number): Uint8Array => new Uint8Array(512 * 512).map((_, i) => (i % 512 >= from && i % 512 < from + 60 && i > 512 * 100 && i < 512 * 400 ? 255 : 0));
+    const paper = (label: string, from: number) => ({ label, layers: [{ kind: "stamp", label, ink: bar(from) }] });
+    const [front, side] = [paper("Left", 180), paper("Right", 260)];
+    const parts = { front, side, top: null, settings: { seed: "5", preset: "fast" }, made: null };
+    for (const [name, part] of Object.entries(parts)) transaction.objectStore("document").put(part, name);
+    const sheets = [{ slot: "front", paper: front }, { slot: "side", paper: side }];
+    transaction.objectStore("run").put({ sheets, settings: parts.settings, iterations: 0, losses: [], events: [] }, "now");
+    await new Promise((resolve) => (transaction.oncomplete = resolve));
+    request.result.close();
+  });
+  await before.close();
+  const { page, faults } = await visit(context, site.url);
+  await page.getByText("A run was cut off before its first wire.").waitFor();
+  expect(await job(page, "Three views").getAttribute("aria-selected")).toBe("true");
+  await page.locator("drawing-pad").first().getByText("Left").waitFor();
+  await page.getByRole("button", { name: "Go on", exact: true }).click();
+  await phase(page, "running");
+  await idle(page);
+  await page.getByText(/views? match|matches/).first().waitFor();
+  await expect.poll(() => page.locator("input[type=radio][name=preset][value=fast]").isChecked()).toBe(true);
+  await job(page, "One picture").click();
+  await page.getByText(/goes on round the back/).waitFor();
+  expect(faults).toEqual([]);
+  await context.close();
+});
+
 it("does it all by keys", async () => {
   const { page, faults } = await visit(browser, site.url, { viewport: { width: 1440, height: 900 } });
   await padsReady(page);

@@ -5,8 +5,12 @@ import { known, presetOf, problemWith } from "../address/fragment";
 import { deskOf, JOBS, withDesk } from "../keeping/document";
 import { tableOf, type Bench } from "../studio-state";
 
-/** Settings that say what is made, not how long it takes: a preset leaves them alone. */
-const NOT_OF_PRESETS = ["seed", "backend"];
+/** Settings that say what is made, not how long it takes: a preset leaves them alone, and so it does whole groups. */
+const NOT_OF_PRESETS: Readonly<Record<Job, readonly string[]>> = {
+  multiview: ["seed", "backend"],
+  stroke: ["seed", "backend", "control_points", "min_width", "max_width"],
+};
+const GROUPS_NOT_OF_PRESETS: readonly string[] = ["views", "stroke"];
 
 export class Options {
   /** From an address, until the tables say which of them there are. */
@@ -65,8 +69,10 @@ export class Options {
   }
 
   private besidesPreset(): SettingValues {
-    const rows = tableOf(this.bench.store.get())?.rows ?? [];
-    const stays = (name: string): boolean => NOT_OF_PRESETS.includes(name) || rows.find((row) => row.name === name)?.group === "views";
+    const { store, doc } = this.bench;
+    const rows = tableOf(store.get())?.rows ?? [];
+    const groupOf = (name: string): string => rows.find((row) => row.name === name)?.group ?? "";
+    const stays = (name: string): boolean => NOT_OF_PRESETS[doc.job].includes(name) || GROUPS_NOT_OF_PRESETS.includes(groupOf(name));
     return Object.fromEntries(Object.entries(this.all).filter(([name]) => stays(name)));
   }
 }
