@@ -197,8 +197,9 @@ export class Studio {
 
   // Opening, keeping and taking along
 
-  openFragment(hash: string): Promise<boolean> {
-    return this.opener.fragment(hash);
+  /** Shows what an address asks for. */
+  async openFragment(hash: string): Promise<void> {
+    if (!(await this.opener.fragment(hash))) await this.showExample();
   }
 
   /** This tab keeps the project from now on. */

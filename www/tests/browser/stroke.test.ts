@@ -156,6 +156,9 @@ it("goes on while the other tab is looked at, and loses nothing of either", asyn
   await expect.poll(() => page.locator("run-panel p").textContent()).toMatch(/^\s*One picture: /);
   expect(await page.locator("[data-view]").count()).toBe(views);
   expect(await page.locator("drawing-pad").count()).toBe(3);
+  // Its wire is on the stage, with its numbers.
+  expect(parseInt((await page.locator("[data-view=front]").textContent())!)).toBeGreaterThan(50);
+  await page.getByText(/Three pictures in one wire/).waitFor();
   // It can be steered from here.
   await page.getByRole("button", { name: "Pause" }).click();
   await phase(page, "paused");
@@ -232,7 +235,7 @@ it("brings back what was kept before there was a second job, and its run that wa
   const { page, faults } = await visit(context, site.url);
   await page.getByText("A run was cut off before its first wire.").waitFor();
   expect(await job(page, "Three views").getAttribute("aria-selected")).toBe("true");
-  await page.locator("drawing-pad").first().getByText("Left").waitFor();
+  await page.locator("drawing-pad").first().getByText("Left", { exact: true }).waitFor();
   await page.getByRole("button", { name: "Go on", exact: true }).click();
   await phase(page, "running");
   await idle(page);
@@ -302,7 +305,7 @@ it("does it all by keys", async () => {
   await page.context().close();
 });
 
-it("says what is wrong with a picture, and keeps what was there", async () => {
+it("says what is wrong with what it is given, and keeps what was there", async () => {
   const { page, faults } = await visit(browser, site.url);
   await padsReady(page);
   await toOnePicture(page);
@@ -310,6 +313,9 @@ it("says what is wrong with a picture, and keeps what was there", async () => {
   await pad(page).getByRole("alert").waitFor();
   expect(await pad(page).getByRole("alert").textContent()).toMatch(/notes\.png/i);
   expect(await pad(page).locator("subject-canvas").getAttribute("name")).toContain("Mug");
+  await dropFiles(page, page.locator("wire-stage"), [join(STROKES, "face.png"), join(STROKES, "pear.png")]);
+  await page.locator("notice-list").getByText(/One picture at a time/).waitFor();
+  await pad(page).locator('subject-canvas[name*="face.png"]').waitFor();
   await pad(page).getByRole("button", { name: "Clear" }).click();
   await runButton(page).click();
   await page.locator("notice-list").getByText("A wire needs a picture.").waitFor();

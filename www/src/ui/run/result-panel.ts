@@ -131,15 +131,14 @@ export class ResultPanel extends Part {
 
   /** The wire on the stage, where it is the finished one: only that has been measured. */
   private measured(): Made | null {
-    const { doc, phase, looking } = this.state;
-    return phase === "idle" && looking === null ? deskOf(doc).made : null;
+    const { doc, running, looking } = this.state;
+    return running !== doc.job && looking === null ? deskOf(doc).made : null;
   }
 
   private sentence(made: Made | null): string {
-    const { phase, notes, looking, running, doc } = this.state;
-    if (running !== null && running !== doc.job) return "";
+    const { notes, looking, running, doc } = this.state;
     if (looking !== null) return "Looking back: numbers are for the finished wire.";
-    if (phase !== "idle") return notes.join(" ");
+    if (running === doc.job) return notes.join(" ");
     if (!made) return "";
     return made.source === "example" ? EXAMPLES[doc.job] : verdict(made);
   }
