@@ -6,7 +6,7 @@ import { afterAll, beforeAll, expect, it } from "vitest";
 import { axeFaults } from "./a11y";
 import { choose, contextWithProfile, idle, launch, requestsElsewhere, ROOT, runButton, serveDist, shoot, visit, type Site, type VisitOptions } from "./browser";
 import { dropFiles } from "./gestures";
-import { padsReady } from "./pads";
+import { inkOn, padsReady } from "./pads";
 
 const STROKES = join(ROOT, "tests/strokes");
 
@@ -235,7 +235,8 @@ it("brings back what was kept before there was a second job, and its run that wa
   const { page, faults } = await visit(context, site.url);
   await page.getByText("A run was cut off before its first wire.").waitFor();
   expect(await job(page, "Three views").getAttribute("aria-selected")).toBe("true");
-  await page.locator("drawing-pad").first().getByText("Left", { exact: true }).waitFor();
+  await expect.poll(() => inkOn(page, 0)).toBeGreaterThan(0.02);
+  await expect.poll(() => inkOn(page, 1)).toBeGreaterThan(0.02);
   await page.getByRole("button", { name: "Go on", exact: true }).click();
   await phase(page, "running");
   await idle(page);
