@@ -119,6 +119,8 @@ export class Scene {
   }
 
   setWire(wire: WireShape | null): void {
+    // Another wire, and not the next step of the same: its shadows must not be the last one's.
+    if (wire?.controlPoints.length !== this.wire?.controlPoints.length) this.loads = 0;
     this.wire = wire;
     this.wireStale = true;
     this.invalidate();

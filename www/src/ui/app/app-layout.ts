@@ -210,6 +210,7 @@ export const layout = css`
     }
   }
   @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
+    #part-pictures.one,
     #part-settings,
     #part-share {
       width: 100%;
