@@ -125,6 +125,15 @@ choices! {
         /// The picture's own greys.
         Grey = "grey",
     }
+    /// Which way the lines run that fill one picture's object.
+    Hatching {
+        /// Slices, or contours where the object winds like a ring or a letter.
+        Auto = "auto",
+        /// Along its outline, one inside the other.
+        Contours = "contours",
+        /// Across it: each goes round the solid like the edge of a slice.
+        Slices = "slices",
+    }
     /// How far the drawings may bend to agree with each other.
     Bend {
         /// Not at all.
@@ -285,10 +294,14 @@ settings! {
     Fit /// How strongly the wire is kept smooth (weight of the jerk of positions).
     smoothness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
+    Stroke /// Which of several objects, the largest first.
+    object: usize = 1, "", Integer { min: 1, max: 999 };
     Stroke /// Where the first wire comes from.
     stroke_start: StrokeStart = StrokeStart::Contour, "", Choice { choices: StrokeStart::WORDS };
     Stroke /// What the front should show: lines as wide as the picture is dark, or its own greys.
     shading: Shading = Shading::Lines, "", Choice { choices: Shading::WORDS };
+    Stroke /// Lines that fill run along the outline, or round the solid like slices; auto takes what suits its shape.
+    hatching: Hatching = Hatching::Auto, "", Choice { choices: Hatching::WORDS };
     Stroke /// From line to line where areas are filled; wider is more abstract.
     hatch: f64 = 11.0, "px at 256", Number { min: 2.0, max: 128.0 };
     Stroke /// Width of the outline and of inner edges.
@@ -297,6 +310,10 @@ settings! {
     tone: f64 = 1.0, "of 1", Number { min: 0.0, max: 1.0 };
     Stroke /// How readily inner edges are drawn: 0 not at all, 1 the clear ones, more the faint ones too.
     edges: f64 = 1.0, "times", Number { min: 0.0, max: 8.0 };
+    Stroke /// How readily parts that catch the eye get closer and finer lines and the rest sparser ones: 0 not at all.
+    saliency: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 };
+    Stroke /// Material: how readily highlights stay blank with a line round them; 0 is matte.
+    gloss: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 };
     Stroke /// Thickness of the solid: 1 makes a ball of a disc, 0 nearly a sheet.
     roundness: f64 = 0.9, "times", Number { min: 0.0, max: 2.0 };
     Stroke /// Largest half thickness, as a share of half the object's smaller side.
@@ -307,6 +324,8 @@ settings! {
     side_views: usize = 6, "views", Integer { min: 0, max: 24 };
     Stroke /// After how many steps other sides are drawn; 0 keeps to those that are measured in the end.
     new_sides: usize = 50, "steps", Integer { min: 0, max: 100_000 };
+    Stroke /// How strongly sides ask for a line where the solid's outline or a crease lies: 0 not at all.
+    creases: f64 = 0.3, "of 1", Number { min: 0.0, max: 1.0 };
     Stroke /// Weight of all those sides together; the front's is 1.
     side_weight: f64 = 0.4, "times", Number { min: 0.0, max: 16.0 };
 

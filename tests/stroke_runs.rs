@@ -103,6 +103,75 @@ fn settings_visibly_work() {
     assert!(most - least < 1e-6 * most, "one width: {least} to {most}");
 }
 
+/// Two balls, the smaller lighter.
+fn pair() -> Picture {
+    picture("pair.png", |x, y| match () {
+        () if (x + 0.4).hypot(y) < 0.4 => 40.0,
+        () if (x - 0.55).hypot(y) < 0.25 => 120.0,
+        () => 250.0,
+    })
+}
+
+#[test]
+fn effects_show_in_what_the_front_should_show() {
+    // A ball with a dark eye and a highlight.
+    let eyed = || {
+        picture("eyed.png", |x, y| match x.hypot(y) {
+            _ if (x - 0.25).hypot(y) < 0.12 => 20.0,
+            _ if (x + 0.25).hypot(y - 0.2) < 0.14 => 255.0,
+            r if r < 0.7 => 150.0,
+            _ => 225.0,
+        })
+    };
+    let ink = |pairs: &[(&str, &str)], [x, y]: [f64; 2], radius: f64| {
+        let pairs: Vec<_> = [("hatch", "10")].iter().chain(pairs).copied().collect();
+        let ink = planned(eyed(), &quick(&pairs)).targets[0].ink.clone();
+        // The object's box fills the picture but for a margin.
+        let place = |p: usize| (2.0 * (p as f64 + 0.5) / 128.0 - 1.0) / (1.0 - 2.0 * 0.08) * 0.7;
+        let near = |i: &usize| (place(i % 128) - x).hypot(-place(i / 128) - y) < radius;
+        let (sum, count) = (0..128 * 128).filter(near).fold((0.0, 0.0), |(s, n), i| (s + ink.data[i], n + 1.0));
+        sum / count
+    };
+    let (eye, highlight, plain) = ([0.25, 0.0], [-0.25, 0.2], [0.0, -0.4]);
+    let (dark, even) = (ink(&[], eye, 0.08), ink(&[("tone", "0"), ("edges", "0")], eye, 0.08));
+    assert!(dark > 0.8 && even < 0.6, "{dark} {even}");
+    assert!(ink(&[("gloss", "0.8")], highlight, 0.1) < 0.02 && ink(&[("edges", "0")], highlight, 0.1) > 0.05);
+    let sparse = ink(&[("saliency", "1"), ("tone", "0")], plain, 0.2);
+    let usual = ink(&[("saliency", "0"), ("tone", "0")], plain, 0.2);
+    assert!(sparse < usual, "{sparse} {usual}");
+    let lines = |hatching: &str| planned(eyed(), &quick(&[("hatching", hatching)])).targets[0].ink.clone();
+    assert_ne!(lines("contours"), lines("slices"));
+}
+
+#[test]
+fn the_object_that_is_chosen_is_drawn() {
+    let tone = |object: &str| {
+        let object = planned(pair(), &quick(&[("object", object)])).object;
+        object.tone.data.iter().copied().fold(0.0, f32::max)
+    };
+    assert!(tone("2") < 0.7 * tone("1"), "the smaller is lighter");
+    let error = plan(&Given::picture(pair()), &quick(&[("object", "3")])).unwrap_err();
+    assert!(error.is_bad_input() && error.to_string().contains("2 objects in pair.png"), "{error}");
+}
+
+#[test]
+fn creases_ask_for_the_solids_outline_from_the_sides() {
+    // What the sides ask for shows in the fit: more of each side's outline is met.
+    let ink_on_outline = |creases: &str| {
+        let settings = quick(&[("creases", creases), ("hatch", "40")]);
+        let made = finished(planned(ball(), &settings), &settings).sculpture();
+        let solid = planned(ball(), &settings).solid;
+        let each = made.views[1..].iter().map(|view| {
+            let shown = wire4d::sculpture::render(&made.wire, view);
+            let wanted = solid.creases(view, 2.0);
+            shown.data.iter().zip(&wanted.data).map(|(a, b)| a * b).sum::<f32>()
+        });
+        each.sum::<f32>()
+    };
+    let (with, without) = (ink_on_outline("1"), ink_on_outline("0"));
+    assert!(with > 1.02 * without, "{with} {without}");
+}
+
 #[test]
 fn the_papers_way_runs_and_refines() {
     let pairs = [("preset", "paper"), ("backend", "cpu"), ("iterations", "30"), ("size", "96"), ("side-views", "2")];
@@ -150,12 +219,31 @@ fn bad_pictures_are_refused_by_name() {
         picture("plain.png", |_, _| 80.0),
         Picture::new("dot.png", 1, 1, vec![0, 0, 0, 255]).unwrap(),
         picture("speck.png", |x, y| if x.hypot(y) < 0.03 { 0.0 } else { 255.0 }),
+        Picture::new(
+            "full.png",
+            SIDE,
+            SIDE,
+            (0..SIDE * SIDE).flat_map(|i| [9, 9, 9, 255 * u8::from(i % 99 > 0)]).collect(),
+        )
+        .unwrap(),
+        Picture::new("clear.png", SIDE, SIDE, vec![0; 4 * SIDE * SIDE]).unwrap(),
     ];
     for picture in bad {
         let name = picture.name().to_owned();
-        let error = plan(&Given::picture(picture), &settings).unwrap_err();
+        let error = plan(&Given::picture(picture), &settings).err().unwrap_or_else(|| panic!("{name} is taken"));
         assert!(error.is_bad_input() && error.to_string().starts_with(&name), "{error}");
     }
+    // A drawing in hair lines, and one hair line alone.
+    let hairs = picture("hairs.png", |x, y| {
+        let on = |r: f64| (x.hypot(y) - r).abs() < 0.011;
+        if on(0.7) || (x - 0.2).hypot(y).min((x + 0.2).hypot(y)) < 0.03 || y.abs() < 0.011 && x.abs() < 0.7 {
+            0.0
+        } else {
+            255.0
+        }
+    });
+    let found = result(hairs, &settings);
+    assert!(found.views[0].soft_iou > Some(0.6) && found.shape.components == 1, "{:?}", found.views[0]);
     let hair = picture("hair.png", |x, y| if x.abs() < 0.011 && y.abs() < 0.8 { 0.0 } else { 255.0 });
     assert!(result(hair, &settings).views[0].soft_iou > Some(0.3), "a line one pixel wide is a thing too");
 }

@@ -18,7 +18,7 @@ use crate::optimize::{Problem, Refine, Session, TopologyEdit, WidthBounds, wait}
 use crate::rng::Rng;
 use crate::sculpture::render;
 use crate::settings::{Preset, Settings, Shading, StrokeStart};
-use crate::start::{self, LineOptions, Lines, Solid, SolidOptions};
+use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
 use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
@@ -65,6 +65,8 @@ const MARGIN: f64 = 0.08;
 const SIDE_HEIGHT_WORLD: f64 = 2.2;
 /// Elevations from which sides are drawn, degrees.
 const ELEVATIONS: [f64; 2] = [-10.0, 80.0];
+/// Width of creases in the sides' targets, px at 256.
+const CREASE_PX: f64 = 2.0;
 /// Ink of the sides' targets where the solid is.
 const SIDE_INK: f32 = 0.4;
 /// Path between two control points where their number is given, px at 256: fewer points, sparser lines.
@@ -88,7 +90,7 @@ const TOUR_WIDTH_PX: f64 = 3.0;
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     settings.check()?;
     let name = given.picture.name();
-    let object = find_object(&given.picture, given.mask.as_ref())?;
+    let object = find_object(&given.picture, given.mask.as_ref(), settings.object)?;
     let mut notes = object.notes.clone();
     let Some(part) = object.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
@@ -112,8 +114,9 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
         solid = solid.with_relief(&lightness, settings.relief);
     }
 
-    let drawn = body != mask;
-    let lines = lines(&mask, &tone, drawn, &solid, settings);
+    let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
+    let all_seen = body != mask;
+    let lines = lines(&Subject { mask, tone, saliency, highlight, all_seen }, &solid, settings);
     let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
     let ink = match settings.shading {
         Shading::Lines => lines.ink(settings.size),
@@ -138,7 +141,7 @@ fn other_sides(
     notes: &mut Vec<String>,
 ) -> Result<Vec<(View, Image)>> {
     let each = given.others.iter().map(|(picture, seen_from)| {
-        let object = find_object(picture, None)?;
+        let object = find_object(picture, None, 1)?;
         notes.extend(object.notes);
         let view = seen_from.resolve(&[], height_world, OBJECT_PX)?;
         let part =
@@ -165,16 +168,19 @@ fn nearness(depth: &Picture, picture: &Picture, object: &Object) -> Result<Image
 }
 
 /// The object's lines: as close as the settings say, or as close as the number of control points allows.
-fn lines(mask: &Image, tone: &Image, drawn: bool, solid: &Solid, settings: &Settings) -> Lines {
+fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
     let draw = |spacing_px: f64| {
         let options = LineOptions {
+            hatching: settings.hatching,
             spacing_px,
             outline_px: settings.outline,
             edges: settings.edges,
             tone: settings.tone,
+            saliency: settings.saliency,
+            gloss: settings.gloss,
             width_px: [settings.min_width, settings.max_width],
         };
-        Lines::draw(mask, tone, drawn, &options)
+        Lines::draw(subject, &options)
     };
     if settings.control_points == 0 || settings.stroke_start != StrokeStart::Contour {
         return draw(settings.hatch);
@@ -239,11 +245,29 @@ impl Plan {
     /// What is fitted from iteration `iteration` on: the front, the sides that were given, and the drawn ones of that time.
     fn fitted(&self, first: &Wire, iteration: usize, settings: &Settings) -> Vec<Target> {
         let turn = iteration.checked_div(settings.new_sides).map_or(0, |turn| turn as u64 + 1);
-        let given = &self.targets[..self.sources.len()];
-        let drawn = side_views(turn, settings).into_iter();
-        let drawn = drawn.map(|view| Target { ink: self.solid.silhouette(&view), view });
-        let sides = given[1..].iter().cloned().chain(drawn);
-        std::iter::once(given[0].clone()).chain(sides.map(|side| side_to_fit(side, first, settings))).collect()
+        let given = self.targets[1..self.sources.len()].iter().map(|target| target.view.clone());
+        let sides = given.chain(side_views(turn, settings));
+        let sides = sides.map(|view| self.side_target(&view, first, settings));
+        std::iter::once(self.targets[0].clone()).chain(sides).collect()
+    }
+
+    /// What the fit asks of the side seen in `view`: what it shows of the `first` wire within the solid, and faintly the
+    /// solid's outline and creases there, so that strands nearby move onto them.
+    fn side_target(&self, view: &View, first: &Wire, settings: &Settings) -> Target {
+        let mut ink = self.solid.silhouette(view);
+        match settings.stroke_start {
+            StrokeStart::Contour => {
+                let lines = render(first, view);
+                ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
+            }
+            StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
+        }
+        if settings.creases > 0.0 {
+            let creases = self.solid.creases(view, CREASE_PX * view.height_px as f64 / 256.0);
+            let wanted = |crease: &f32| settings.creases as f32 * crease;
+            ink.data.iter_mut().zip(&creases.data).for_each(|(ink, crease)| *ink = ink.max(wanted(crease)));
+        }
+        Target { view: view.clone(), ink }
     }
 
     /// The fit of `wire` from iteration `iteration` on; `first` is the first wire.
@@ -268,19 +292,6 @@ impl Plan {
             seed: settings.seed,
         }
     }
-}
-
-/// What is fitted from a side whose silhouette is given.
-fn side_to_fit(silhouette: Target, first: &Wire, settings: &Settings) -> Target {
-    let Target { view, mut ink } = silhouette;
-    match settings.stroke_start {
-        StrokeStart::Contour => {
-            let lines = render(first, &view);
-            ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
-        }
-        StrokeStart::Points | StrokeStart::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
-    }
-    Target { view, ink }
 }
 
 /// A fit of one picture under way.

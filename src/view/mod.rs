@@ -18,7 +18,7 @@ pub use camera::{Camera, Projection, View};
 pub use flatten::{Flattening, PROJECTION_TOLERANCE_PX, pieces_per_span, projection_error_bound_px};
 pub use image::Image;
 pub use mask::{Components, Mask, NOWHERE, PixelBox};
-pub use object::{OBJECT_PX, Object, find_object};
+pub use object::{OBJECT_PX, Object, Parts, find_object};
 pub use picture::{MAX_PICTURE_PIXELS, MAX_PICTURE_PX, Picture, Polarity, ink};
 #[cfg(feature = "cli")]
 pub use read::{decode_picture, read_picture};

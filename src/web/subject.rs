@@ -50,8 +50,7 @@ pub fn find_object(
     rgba: Vec<u8>,
     object: usize,
 ) -> Result<FoundObject, JsError> {
-    let _ = object;
-    Ok(FoundObject(find(&Picture::new(name, width, height, rgba)?, None)?))
+    Ok(FoundObject(find(&Picture::new(name, width, height, rgba)?, None, object)?))
 }
 
 #[wasm_bindgen]
@@ -63,13 +62,13 @@ impl FoundObject {
 
     /// Which object each pixel of the mask's picture is of, the largest first, from 1; 0 is none.
     pub fn labels(&self) -> Vec<u8> {
-        self.0.mask.data.iter().map(|&share| u8::from(share > 0.5)).collect()
+        self.0.parts.labels.iter().map(|&label| u8::try_from(label).unwrap_or(0)).collect()
     }
 
     /// How many there are.
     #[wasm_bindgen(getter)]
     pub fn count(&self) -> usize {
-        1
+        self.0.parts.shares.len()
     }
 
     /// What a person should know, as a JSON list of sentences.

@@ -10,6 +10,7 @@ mod serve;
 mod setup;
 mod shell;
 mod speed;
+mod strokes;
 mod test;
 mod wasm;
 
@@ -31,6 +32,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
+    Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
 ];
 

@@ -1,5 +1,7 @@
 //! A plausible solid behind one silhouette: two height fields over the picture, one for the front and one for the back.
 
+mod shown;
+
 use super::Path;
 use super::ball::spread_points;
 use super::envelope::{FAR, lower_envelope};
@@ -38,6 +40,8 @@ pub struct Solid {
 const CELLS: usize = 128;
 /// Thinnest half thickness, cells: a sheet is a solid too.
 const THINNEST: f32 = 0.75;
+/// Standard deviation of the smoothing of heights, cells.
+const SMOOTHING: f64 = 2.0;
 
 impl Solid {
     /// The solid of a square picture of its silhouette (0 to 1): the union of all balls about the picture's plane that
@@ -61,6 +65,7 @@ impl Solid {
             if *inside { height.min(cap).max(THINNEST) } else { 0.0 }
         };
         let front = Image { width: CELLS, height: CELLS, data: squared.iter().zip(&inside.data).map(height).collect() };
+        let front = smoothed(front, &inside);
         let back = Image { data: front.data.iter().map(|z| -z).collect(), ..front };
         let mut solid = Solid { inside, front, back, cell_world: 1.0 };
         solid.fit_unit_ball();
@@ -156,36 +161,6 @@ impl Solid {
         }
     }
 
-    /// What a view shows of it: 1 on the solid, 0 beside it, edges soft.
-    pub fn silhouette(&self, view: &View) -> Image {
-        // Twice the size, then averaged: a cell is about a pixel.
-        let (width, height) = (2 * view.width_px, 2 * view.height_px);
-        let camera = view.with_size(width, height).camera::<f64>();
-        let radius = 0.75 * self.cell_world * camera.pixels_per_world(&[0.0; 4]);
-        let mut shown = Image::new(width, height);
-        for i in self.cells() {
-            let [x, y] = self.place(i);
-            let (back, front) = (f64::from(self.back.data[i]), f64::from(self.front.data[i]));
-            let steps = ((front - back) / self.cell_world).ceil().max(1.0);
-            for k in 0..=steps as usize {
-                let [u, v, _] = camera.project(&[x, y, back + (front - back) * k as f64 / steps, 0.0]);
-                let range = |p: f64, size: usize| {
-                    let clamp = |p: f64| p.clamp(0.0, size as f64) as usize;
-                    clamp((p - radius).ceil())..clamp(p + radius + 1.0)
-                };
-                for row in range(v, height) {
-                    for column in range(u, width) {
-                        let near = (row as f64 + 0.5 - v).hypot(column as f64 + 0.5 - u) <= radius;
-                        if near {
-                            shown.data[row * width + column] = 1.0;
-                        }
-                    }
-                }
-            }
-        }
-        shown.resized(view.width_px, view.height_px)
-    }
-
     /// The paper's start: `count` points spread evenly inside, joined by a short tour, all of one width.
     pub fn tour(&self, count: usize, width_world: f64, seed: u64) -> Path {
         let cells: Vec<usize> = self.cells().collect();
@@ -244,6 +219,17 @@ impl Solid {
         }
         self.cell_world *= scale;
     }
+}
+
+/// Heights without the ridges that come of a pixelled outline; those outside have no say.
+fn smoothed(heights: Image, inside: &Mask) -> Image {
+    let (blurred, weight) = (heights.blurred(SMOOTHING), inside.to_image().blurred(SMOOTHING));
+    // Thin places and the steep rim stay as they are: only what is high enough to have ridges is smoothed.
+    let smooth = |i: usize| {
+        let share = ((heights.data[i] - SMOOTHING as f32) / (2.0 * SMOOTHING as f32)).clamp(0.0, 1.0);
+        heights.data[i] + share * (blurred.data[i] / weight.data[i].max(1e-3) - heights.data[i])
+    };
+    Image { data: (0..heights.data.len()).map(smooth).collect(), ..heights }
 }
 
 #[cfg(test)]

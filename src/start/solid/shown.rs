@@ -1,0 +1,132 @@
+//! What a view shows of a solid: its silhouette, and the lines an artist would draw of it.
+
+use super::Solid;
+use crate::view::{Image, Mask, View};
+
+/// Pictures are made this many times as large, then averaged.
+const FINER: usize = 2;
+/// Two surfaces are apart where the depth jumps by this from pixel to pixel, world units: two cells or so.
+const JUMP_WORLD: f32 = 0.06;
+/// A crease turns the surface by this within [`TURN_PX`], radians.
+const TURN: f32 = 0.9;
+/// Pixels at 256 to either side over which a turn is measured.
+const TURN_PX: f64 = 4.0;
+/// Standard deviation of the blur that hides the grid's stairs, px at 256.
+const BLUR_PX: f64 = 1.5;
+
+impl Solid {
+    /// What a view shows of it: 1 on the solid, 0 beside it, edges soft.
+    pub fn silhouette(&self, view: &View) -> Image {
+        let depth = self.depth_picture(view);
+        let data = depth.data.iter().map(|depth| f32::from(depth.is_finite())).collect();
+        Image { data, ..depth }.resized(view.width_px, view.height_px)
+    }
+
+    /// Lines `width_px` wide (of the view's pixels) where a view shows the solid's outline, one part of it before another,
+    /// or its surface turning sharply; 0 to 1.
+    pub fn creases(&self, view: &View, width_px: f64) -> Image {
+        let depth = self.depth_picture(view);
+        let (width, height) = (depth.width, depth.height);
+        let on = Mask { width, height, data: depth.data.iter().map(|depth| depth.is_finite()).collect() };
+        let known = |i: usize| if on.data[i] { depth.data[i] } else { 0.0 };
+        let scale = (height as f64) / 256.0;
+        let [sum, weight] = [Image { width, height, data: (0..width * height).map(known).collect() }, on.to_image()]
+            .map(|image| image.blurred(BLUR_PX * scale));
+        let smooth: Vec<f32> = sum.data.iter().zip(&weight.data).map(|(sum, weight)| sum / weight.max(1e-3)).collect();
+        let reach = ((TURN_PX * scale) as usize).max(1);
+        let px_world = (1.0 / view.with_size(width, height).camera::<f64>().pixels_per_world(&[0.0; 4])) as f32;
+        let line = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            if !on.data[i] || x < reach || y < reach || x + reach >= width || y + reach >= height {
+                return false;
+            }
+            [(1, reach), (width, reach * width)].iter().any(|&(step, far)| {
+                let (before, after) = (i - step, i + step);
+                // The nearer of two parts has the outline.
+                let apart = |n: usize| !on.data[n] || depth.data[n] - depth.data[i] > JUMP_WORLD;
+                let smooth_round = [i - far, i + far].iter().all(|&n| on.data[n]);
+                let slope = |from: usize, to: usize| ((smooth[to] - smooth[from]) / (reach as f32 * px_world)).atan();
+                apart(before) || apart(after) || smooth_round && (slope(i - far, i) - slope(i, i + far)).abs() > TURN
+            })
+        };
+        let lines = Mask { width, height, data: (0..width * height).map(line).collect() }.thin();
+        let half = (0.5 * width_px * FINER as f64) as f32;
+        let soft = |distance: &f32| (half + 0.5 - distance).clamp(0.0, 1.0);
+        let drawn = Image { width, height, data: lines.distance_px().data.iter().map(soft).collect() };
+        drawn.resized(view.width_px, view.height_px)
+    }
+
+    /// Distance in front of the eye, world units, of what a view shows, infinite beside it; [`FINER`] than the view.
+    fn depth_picture(&self, view: &View) -> Image {
+        let (width, height) = (FINER * view.width_px, FINER * view.height_px);
+        let camera = view.with_size(width, height).camera::<f64>();
+        let radius = 0.75 * self.cell_world * camera.pixels_per_world(&[0.0; 4]);
+        let mut shown = Image { width, height, data: vec![f32::INFINITY; width * height] };
+        for i in self.cells() {
+            let [x, y] = self.place(i);
+            let (back, front) = (f64::from(self.back.data[i]), f64::from(self.front.data[i]));
+            let steps = ((front - back) / self.cell_world).ceil().max(1.0);
+            for k in 0..=steps as usize {
+                let point = [x, y, back + (front - back) * k as f64 / steps, 0.0];
+                let ([u, v, _], depth) = (camera.project(&point), camera.depth(&point) as f32);
+                let range = |p: f64, size: usize| {
+                    let clamp = |p: f64| p.clamp(0.0, size as f64) as usize;
+                    clamp((p - radius).ceil())..clamp(p + radius + 1.0)
+                };
+                for row in range(v, height) {
+                    for column in range(u, width) {
+                        let near = (row as f64 + 0.5 - v).hypot(column as f64 + 0.5 - u) <= radius;
+                        let cell = &mut shown.data[row * width + column];
+                        if near && depth < *cell {
+                            *cell = depth;
+                        }
+                    }
+                }
+            }
+        }
+        shown
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::start::SolidOptions;
+
+    fn solid(on: impl Fn(f32, f32) -> bool) -> Solid {
+        let mut image = Image::new(256, 256);
+        (0..256 * 256).for_each(|i| {
+            image.data[i] = f32::from(on((i % 256) as f32 + 0.5 - 128.0, (i / 256) as f32 + 0.5 - 128.0));
+        });
+        Solid::inflated("thing", &image, &SolidOptions::default()).unwrap()
+    }
+
+    /// Ink within `near` px of the solid's outline and the rest inside it.
+    fn ink(solid: &Solid, view: &View, near: f32) -> [f32; 2] {
+        let creases = solid.creases(view, 3.0);
+        let silhouette = solid.silhouette(view).threshold(0.5);
+        let inside = silhouette.inverted().distance_px();
+        let mut ink = [0.0; 2];
+        creases
+            .data
+            .iter()
+            .zip(&inside.data)
+            .for_each(|(ink_here, inside)| ink[usize::from(*inside > near)] += ink_here);
+        ink
+    }
+
+    #[test]
+    fn a_ball_shows_its_outline_alone_and_parts_before_others_show_theirs() {
+        let ball = solid(|x, y| x.hypot(y) < 90.0);
+        for (azimuth, elevation) in [(0.0, 0.0), (1.0, 0.3), (1.57, 0.0), (2.5, 1.0)] {
+            let view = View::orthographic("any", azimuth, elevation, 2.2, 256);
+            let [outline, inner] = ink(&ball, &view, 6.0);
+            assert!(outline > 1200.0 && inner < 0.2 * outline, "{azimuth} {elevation}: {outline} {inner}");
+        }
+        let two =
+            solid(|x, y| (x - 55.0).hypot(y) < 40.0 || (x + 55.0).hypot(y) < 60.0 || y.abs() < 6.0 && x.abs() < 60.0);
+        let along = View::orthographic("side", std::f64::consts::FRAC_PI_2 - 0.3, 0.0, 2.2, 256);
+        let [outline, inner] = ink(&two, &along, 6.0);
+        assert!(inner > 0.15 * outline, "the near ball's outline before the far one: {outline} {inner}");
+    }
+}
