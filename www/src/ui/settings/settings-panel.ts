@@ -11,8 +11,8 @@ import { controls } from "../shared/shared";
 import { deviceOf } from "./device-words";
 import { rendererWord } from "../../state/address/renderer";
 
-/** The first two stand beside Run, and ink is found pad by pad. */
-const ELSEWHERE: readonly string[] = ["preset", "bend", "ink"];
+/** The first two stand beside Run; ink is found pad by pad, and an object is chosen where it is seen. */
+const ELSEWHERE: readonly string[] = ["preset", "bend", "ink", "object"];
 
 /** The page's own, not the core's. */
 const HIDDEN_ROW: SettingRow = {
