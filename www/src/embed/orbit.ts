@@ -32,6 +32,11 @@ export const DIRECTIONS = {
 /** The room as a whole, or a view straight on. */
 export type ViewName = keyof typeof DIRECTIONS;
 
+/** One of those, or anywhere else. */
+export type Vantage = ViewName | Pick<Direction, "azimuthRad" | "elevationRad">;
+
+export const directionOf = (vantage: Vantage): Direction => (typeof vantage === "string" ? DIRECTIONS[vantage] : { ...vantage, fovYRad: NARROW_RAD });
+
 export interface Camera {
   clipFromWorld: Mat4;
   eye: Vec3;

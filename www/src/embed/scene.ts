@@ -6,7 +6,7 @@
 import { Easel } from "./easel";
 import { tonesOf, type Look } from "./looks";
 import type { Vec3 } from "./matrix";
-import { axesOf, cameraOf, DIRECTIONS, framed, Orbit, type Pose, type ViewName } from "./orbit";
+import { axesOf, cameraOf, directionOf, framed, Orbit, type Vantage, type Pose, type ViewName } from "./orbit";
 import { Painter, WALL_AWAY } from "./painter";
 import { Sampler, samplesPerSpan, type Samples, type WireShape } from "./shape";
 import { buildRings } from "./tube";
@@ -16,8 +16,7 @@ const SAMPLES = 2600;
 const MAX_DENSITY = 2;
 const FLIGHT_MS = 650;
 const STEP_MS = 220;
-/** The tour's views in order, how long it takes to each, and how long the picture stays. */
-const TOUR: readonly ViewName[] = ["front", "side", "top", "room"];
+/** How long a tour takes to each of its places, and how long the picture stays where it has a name. */
 const TOUR_FLIGHT_MS = 1500;
 const TOUR_STAY_MS = 1000;
 /** Pictures that take longer than this to finish are drawn coarser, down to this share of the pixels a side. */
@@ -79,8 +78,8 @@ export class Scene {
   private swaying = false;
   private swayStartMs = 0;
   private swayFrom = 0;
-  /** Views still to come, and the wait at the present one. */
-  private tourLeft: readonly ViewName[] = [];
+  /** Places still to come, and the wait at the present one. */
+  private tourLeft: readonly Vantage[] = [];
   private tourStay: ReturnType<typeof setTimeout> | undefined;
   private swayAfterTour = false;
   /** For people who asked for less motion. */
@@ -120,6 +119,8 @@ export class Scene {
   }
 
   setWire(wire: WireShape | null): void {
+    // Another wire, and not the next step of the same: its shadows must not be the last one's.
+    if (wire?.controlPoints.length !== this.wire?.controlPoints.length) this.loads = 0;
     this.wire = wire;
     this.wireStale = true;
     this.invalidate();
@@ -135,9 +136,9 @@ export class Scene {
   }
 
   /** A view straight on, or the room as a whole. */
-  flyTo(view: ViewName): void {
+  flyTo(vantage: Vantage): void {
     this.rouse();
-    this.go(view, FLIGHT_MS);
+    this.go(vantage, FLIGHT_MS);
   }
 
   turn(azimuthRad: number, elevationRad: number): void {
@@ -158,13 +159,13 @@ export class Scene {
     this.held(() => this.orbit.step(turnRad, zoom, performance.now(), this.still ? 0 : STEP_MS));
   }
 
-  /** From view to view and back to the room, until somebody takes hold; nothing for people who asked for less motion. */
-  tour(): void {
+  /** From vantage to vantage, until somebody takes hold; nothing for people who asked for less motion. */
+  tour(places: readonly Vantage[]): void {
     if (this.still) return;
     const swayed = this.swaying;
     this.rouse();
     this.swayAfterTour = swayed;
-    this.tourLeft = TOUR;
+    this.tourLeft = places;
     this.nextOfTour();
   }
 
@@ -230,9 +231,9 @@ export class Scene {
     return this.tourLeft.length > 0;
   }
 
-  private poseOf(view: ViewName, aspect: number): Pose {
-    const room = view === "room" && this.look.room;
-    return framed(DIRECTIONS[view], room ? ROOM_CORNERS : this.box, aspect, room ? ROOM_SHARE : VIEW_SHARE);
+  private poseOf(vantage: Vantage, aspect: number): Pose {
+    const room = vantage === "room" && this.look.room;
+    return framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? ROOM_SHARE : VIEW_SHARE);
   }
 
   /** The same frame, seen from where the swaying camera is. */
@@ -240,9 +241,9 @@ export class Scene {
     return this.view === "room" ? { ...pose, azimuthRad: this.orbit.pose.azimuthRad } : pose;
   }
 
-  private go(view: ViewName, durationMs: number): void {
-    this.orbit.flyTo(this.poseOf(view, this.aspect), performance.now(), this.still ? 0 : durationMs);
-    this.setView(view);
+  private go(vantage: Vantage, durationMs: number): void {
+    this.orbit.flyTo(this.poseOf(vantage, this.aspect), performance.now(), this.still ? 0 : durationMs);
+    this.setView(typeof vantage === "string" ? vantage : null);
     this.invalidate();
   }
 
@@ -276,7 +277,8 @@ export class Scene {
   /** The tour's flight has landed. */
   private stay(): void {
     this.tourLeft = this.tourLeft.slice(1);
-    if (this.touring) this.tourStay = setTimeout(this.nextOfTour, TOUR_STAY_MS);
+    // Past places without a name it only comes by.
+    if (this.touring) this.tourStay = setTimeout(this.nextOfTour, this.view ? TOUR_STAY_MS : 0);
     else this.sway(this.swayAfterTour);
   }
 

@@ -6,11 +6,11 @@
 import { inPage, inWorker, type Backstage } from "./backstage";
 import { listen } from "./controls";
 import type { Look } from "./looks";
-import type { ViewName } from "./orbit";
+import type { Vantage } from "./orbit";
 import type { SceneEvents } from "./scene";
 import type { WireShape } from "./shape";
 
-export type { ViewName } from "./orbit";
+export type { Vantage, ViewName } from "./orbit";
 export { StageUnavailable } from "./scene";
 
 /** What the stage tells. */
@@ -65,8 +65,8 @@ export class Stage {
   }
 
   /** A view straight on, or the room as a whole. */
-  flyTo(view: ViewName): void {
-    this.backstage.act("flyTo", view);
+  flyTo(vantage: Vantage): void {
+    this.backstage.act("flyTo", vantage);
   }
 
   /** A step by a button: radians to the right, and a factor of the distance. */
@@ -74,9 +74,9 @@ export class Stage {
     this.held(() => this.backstage.act("step", turnRad, zoom));
   }
 
-  /** From view to view and back to the room, until somebody takes hold; nothing for people who asked for less motion. */
-  tour(): void {
-    this.backstage.act("tour");
+  /** From vantage to vantage, until somebody takes hold; nothing for people who asked for less motion. */
+  tour(places: readonly Vantage[]): void {
+    this.backstage.act("tour", places);
   }
 
   /** Whether the camera sways slowly by itself; never for people who asked for less motion. */

@@ -7,8 +7,10 @@ import type {
   ExportFormat,
   Finished,
   FoundInk,
+  FoundObject,
   Frame,
   Ink,
+  Job,
   Measures,
   Picture,
   Place,
@@ -17,10 +19,13 @@ import type {
   Reading,
   RunEvent,
   SettingsTable,
+  SettingsTables,
   SettingValues,
+  Sitter,
   Snapshot,
   Target,
   View,
+  Work,
 } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
@@ -77,13 +82,15 @@ async function load(): Promise<typeof core> {
 }
 
 const core = {
-  settings: (): SettingsTable => JSON.parse(wasm.settings_table("multiview")) as SettingsTable,
+  settings(): SettingsTables {
+    const table = (job: Job): SettingsTable => JSON.parse(wasm.settings_table(job)) as SettingsTable;
+    return { multiview: table("multiview"), stroke: table("stroke") };
+  },
 
   place: async (backend: Backend): Promise<Place> => JSON.parse(await wasm.place(backend)) as Place,
 
   read(picture: Picture, reading: Reading): FoundInk {
-    const rgba = new Uint8Array(picture.rgba.buffer, picture.rgba.byteOffset, picture.rgba.byteLength);
-    const found = wasm.read_ink(picture.name, picture.width, picture.height, rgba, reading.ink, reading.threshold);
+    const found = wasm.read_ink(picture.name, picture.width, picture.height, bytesOf(picture), reading.ink, reading.threshold);
     return taken(found, () => ({ ...ink(found.ink()), polarity: found.is_light ? "light" : "dark" }));
   },
 
@@ -97,13 +104,31 @@ const core = {
     });
   },
 
-  async start(drawings: readonly Drawing[], settings: SettingValues, from: Bytes | null, { tell, note }: Ears): Promise<CoreRun> {
+  find(picture: Picture, object: number): FoundObject {
+    const found = wasm.find_object(picture.name, picture.width, picture.height, bytesOf(picture), object);
+    return taken(found, () => ({
+      ...maskOf(found.mask()),
+      labels: own(found.labels()),
+      count: found.count,
+      notes: JSON.parse(found.notes()) as string[],
+    }));
+  },
+
+  async start(work: Work, settings: SettingValues, from: Bytes | null, { tell, note }: Ears): Promise<CoreRun> {
     const given = JSON.stringify(settings);
-    const taken = set(drawings);
+    if (work.job === "stroke") {
+      const subject = sitter(work.subject);
+      try {
+        return pulled(await (from ? wasm.Run.resume_stroke(subject, given, from, tell, note) : wasm.Run.start_stroke(subject, given, tell, note)));
+      } finally {
+        subject.free();
+      }
+    }
+    const drawings = set(work.drawings);
     try {
-      return pulled(await (from ? wasm.Run.resume(taken, given, from, tell, note) : wasm.Run.start(taken, given, tell, note)));
+      return pulled(await (from ? wasm.Run.resume(drawings, given, from, tell, note) : wasm.Run.start(drawings, given, tell, note)));
     } finally {
-      taken.free();
+      drawings.free();
     }
   },
 
@@ -129,6 +154,22 @@ function set(drawings: readonly Drawing[]): wasm.DrawingSet {
     throw error;
   }
   return set;
+}
+
+function sitter({ picture, mask, depth }: Sitter): wasm.Subject {
+  const subject = new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture));
+  try {
+    if (mask) subject.set_mask(mask.width, mask.height, mask.ink);
+    if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth));
+  } catch (error) {
+    subject.free();
+    throw error;
+  }
+  return subject;
+}
+
+function bytesOf({ rgba }: Picture): Uint8Array {
+  return new Uint8Array(rgba.buffer, rgba.byteOffset, rgba.byteLength);
 }
 
 function pulled(run: wasm.Run): CoreRun {
@@ -167,6 +208,11 @@ function shape(wire: wasm.WireData): OwnShape {
 
 function ink(ink: wasm.Ink): Ink {
   return taken(ink, () => ({ width: ink.width, height: ink.height, ink: own(ink.bytes()) }));
+}
+
+function maskOf(mask: wasm.Ink): Pick<FoundObject, "width" | "height" | "mask"> {
+  const { ink: bytes, ...size } = ink(mask);
+  return { ...size, mask: bytes };
 }
 
 function targets(of: { target_count: number; target(index: number): wasm.ViewTarget }): Target[] {

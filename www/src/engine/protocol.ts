@@ -37,16 +37,45 @@ export interface FoundInk extends Ink {
   readonly polarity: "dark" | "light";
 }
 
+/** What of one picture is the object. */
+export interface FoundObject {
+  readonly width: number;
+  readonly height: number;
+  /** How much of each pixel is the object, 0 to 255; of the picture's own aspect, at most 512 px a side. */
+  readonly mask: Uint8Array<ArrayBuffer>;
+  /** Which object each pixel is, the largest first, from 1; 0 where there is nothing. */
+  readonly labels: Uint8Array<ArrayBuffer>;
+  readonly count: number;
+  /** What makes the finding doubtful, in sentences. */
+  readonly notes: readonly string[];
+}
+
 /** A drawing as it goes into a run: ink with the name of its pad. */
 export interface Drawing extends Ink {
   readonly name: string;
 }
 
+/** What the app can do: several drawings to one wire, or one picture to a wire in the round. */
+export const JOBS = ["multiview", "stroke"] as const;
+export type Job = (typeof JOBS)[number];
+
+/** One picture as it goes into a run. */
+export interface Sitter {
+  readonly picture: Picture;
+  /** What of it is the object, of any size; null lets the app find it. */
+  readonly mask: Ink | null;
+  /** How near each pixel is, light is near. */
+  readonly depth: Picture | null;
+}
+
+/** What a run is about. */
+export type Work = { readonly job: "multiview"; readonly drawings: readonly Drawing[] } | { readonly job: "stroke"; readonly subject: Sitter };
+
 /** How a drawing was laid into a view. */
 export interface Placed {
   readonly view: View;
-  /** Which of the drawings it is, from 0. */
-  readonly source: number;
+  /** Which of the drawings it is, from 0; null for a side that nobody gave. */
+  readonly source: number | null;
   readonly mirrored: boolean;
   /** Counter-clockwise, after mirroring. */
   readonly quarterTurns: number;
@@ -158,6 +187,8 @@ export interface Finished {
 export interface Measures {
   readonly views: readonly ViewMeasures[];
   readonly components: number;
+  /** World units of wire that would join the pieces; 0 for one piece. */
+  readonly connectivity_cost: number;
   /** World units; the object fits the unit ball. */
   readonly length: number;
   readonly control_points: number;
@@ -181,7 +212,7 @@ export interface ViewMeasures {
 /** A row of the core's settings table. */
 export interface SettingRow {
   readonly name: string;
-  readonly group: "run" | "wire" | "views" | "fit" | "expert";
+  readonly group: "run" | "wire" | "views" | "fit" | "stroke" | "expert";
   readonly unit: string;
   readonly help: string;
   readonly kind: "integer" | "number" | "choice" | "switch";
@@ -196,6 +227,9 @@ export interface SettingsTable {
   readonly presets: Readonly<Record<string, SettingValues>>;
 }
 
+/** Each job has rows of its own and presets of its own. */
+export type SettingsTables = Readonly<Record<Job, SettingsTable>>;
+
 /** Settings by name, as text; in a request, those that differ from their preset. */
 export type SettingValues = Readonly<Record<string, string>>;
 
@@ -203,15 +237,17 @@ export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "wire.json" | "bend.c
 
 /** What the page can ask for: arguments and answer by name. */
 export interface Calls {
-  settings: { arguments: Record<never, never>; answer: SettingsTable };
+  settings: { arguments: Record<never, never>; answer: SettingsTables };
   /** Where a run with this setting would be computed; refused with a sentence if that cannot be. May take a second or two. */
   place: { arguments: { backend: Backend }; answer: Place };
   /** What the core sees in a picture, fitted onto the middle of a square sheet and never stretched. */
   read: { arguments: { picture: Picture; reading: Reading; sidePx: number }; answer: FoundInk };
   /** What two or three drawings come to before a run. */
   preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
-  /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same drawings. */
-  run: { arguments: { drawings: readonly Drawing[]; settings: SettingValues; from: Blob | null }; answer: Finished };
+  /** The object in a picture: the `object`-th of several, the largest is 1. Refused with a sentence if there is none. */
+  find: { arguments: { picture: Picture; object: number }; answer: FoundObject };
+  /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same work. */
+  run: { arguments: { work: Work; settings: SettingValues; from: Blob | null }; answer: Finished };
   /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */

@@ -18,6 +18,7 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
     const found = (await loaded()).read(picture, reading);
     return { ...found, width: sidePx, height: sidePx, ink: fitted(found, sidePx) };
   },
+  find: async ({ picture, object }) => (await loaded()).find(picture, object),
   preview: async ({ drawings, settings }) => (await loaded()).preview(drawings, settings),
   run,
   sheet: ({ drawing }) => sheetOf(drawing),
@@ -26,13 +27,13 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
   export: async ({ file, format, view }) => (await loaded()).export(file, format, view),
 };
 
-async function run({ drawings, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {
+async function run({ work, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {
   if (pull) throw new Error("A run is under way already; stop it first.");
   // Made before the core is loaded: it hears a stop that comes meanwhile.
   const mine = (pull = new Pull(tell));
   try {
     const checkpoint = from && new Uint8Array(await from.arrayBuffer());
-    const session = await (await loaded()).start(drawings, settings, checkpoint, {
+    const session = await (await loaded()).start(work, settings, checkpoint, {
       tell: (words, share) => tell({ news: "progress", words, share }),
       note: (words) => tell({ news: "note", words }),
     });

@@ -139,7 +139,7 @@ export function pad(page: Page, index: number): Locator {
 
 /** Sets a setting: one of the row of radio buttons near Run, or a control of a folded group. */
 export async function choose(page: Page, setting: string, value: string): Promise<void> {
-  const radio = page.locator(`input[type=radio][name=${setting}][value=${value}]`);
+  const radio = page.locator(`input[type=radio][name=${setting}][value="${value}"]`);
   if (await radio.count()) {
     await radio.check({ force: true });
     return;

@@ -1,8 +1,11 @@
 import { expect, it } from "vitest";
 import { addressed } from "./address";
-import { BLANK, type Doc } from "../keeping/document";
+import { BLANK, withDesk, type Doc, type Job, type Made } from "../keeping/document";
 
-const doc = (code: string | null, settings = {}): Doc => ({ ...BLANK, settings, made: code === null ? null : ({ finished: { code } } as Doc["made"]) });
+const doc = (code: string | null, settings = {}, job: Job = "multiview"): Doc => {
+  const made = code === null ? null : ({ finished: { code } } as Made);
+  return { ...BLANK, job, ...withDesk(BLANK, job, { settings, made }) };
+};
 
 it("carries settings, and a wire only while it is the one on the stage", () => {
   expect(addressed("", doc(null))).toBe("");
@@ -11,4 +14,11 @@ it("carries settings, and a wire only while it is the one on the stage", () => {
   expect(addressed("#w=AB", doc("CD"))).toBe("");
   // What was not asked for is not put in: an address is not to be full of a wire unless somebody shares it.
   expect(addressed("", doc("CD"))).toBe("");
+});
+
+it("carries the job that is looked at, unless it is the first", () => {
+  expect(addressed("", doc(null, {}, "stroke"))).toBe("#v=1&job=stroke");
+  expect(addressed("#v=1&job=stroke&w=AB", doc("AB", { seed: "4" }, "stroke"))).toBe("#v=1&job=stroke&w=AB&seed=4");
+  // What the other job has made is not on the stage.
+  expect(addressed("#v=1&w=AB", { ...doc("AB"), job: "stroke" })).toBe("#v=1&job=stroke");
 });

@@ -1,10 +1,11 @@
-/** The address while a person works: it carries the settings, and a wire only as long as that is the one on the stage. */
+/** The address while a person works: it carries job and settings, and a wire only as long as that is the one on the stage. */
 
-import type { Doc } from "../keeping/document";
+import { deskOf, type Doc } from "../keeping/document";
 import { readFragment, writeFragment } from "./fragment";
 
 /** The fragment that should stand in the address in place of `hash`. */
-export function addressed(hash: string, { made, settings }: Doc): string {
+export function addressed(hash: string, doc: Doc): string {
+  const { made, settings } = deskOf(doc);
   const { code } = readFragment(hash);
-  return writeFragment(code !== null && made?.finished.code === code ? code : null, settings);
+  return writeFragment(doc.job, code !== null && made?.finished.code === code ? code : null, settings);
 }

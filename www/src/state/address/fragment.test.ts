@@ -18,15 +18,19 @@ const table: SettingsTable = {
 describe("a fragment", () => {
   it("reads what it writes", () => {
     const settings = { preset: "fast", smoothness: "1.5" };
-    const fragment = writeFragment("AB-_9", settings);
+    const fragment = writeFragment("multiview", "AB-_9", settings);
     expect(fragment).toBe("#v=1&w=AB-_9&preset=fast&smoothness=1.5");
-    expect(readFragment(fragment)).toEqual({ code: "AB-_9", settings, newer: false });
-    expect(writeFragment(null, {})).toBe("");
-    expect(readFragment("")).toEqual({ code: null, settings: {}, newer: false });
+    expect(readFragment(fragment)).toEqual({ job: "multiview", code: "AB-_9", settings, newer: false });
+    expect(writeFragment("multiview", null, {})).toBe("");
+    expect(readFragment("")).toEqual({ job: null, code: null, settings: {}, newer: false });
+    const stroke = writeFragment("stroke", "AB", settings);
+    expect(stroke).toBe("#v=1&job=stroke&w=AB&preset=fast&smoothness=1.5");
+    expect(readFragment(stroke)).toEqual({ job: "stroke", code: "AB", settings, newer: false });
+    expect(readFragment("#v=1&job=fill&seed=3").job).toBe("multiview");
   });
 
   it("reads links of before there was a version, and tells newer ones", () => {
-    expect(readFragment("#w=AB")).toEqual({ code: "AB", settings: {}, newer: false });
+    expect(readFragment("#w=AB")).toEqual({ job: "multiview", code: "AB", settings: {}, newer: false });
     expect(readFragment("#v=2&w=AB").newer).toBe(true);
     expect(readFragment("#v=x&w=AB").newer).toBe(true);
   });

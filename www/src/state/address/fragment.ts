@@ -1,13 +1,16 @@
 /**
- * The address's fragment, which no server ever sees: `#v=1&w=CODE&preset=fast&seed=3`. `w` carries a whole wire, every
- * other key is a setting of the core's table; unknown ones are ignored. Links before `v` held `w` alone.
+ * The address's fragment, which no server ever sees: `#v=1&job=stroke&w=CODE&preset=fast&seed=3`. `w` carries a whole
+ * wire, `job` says what it is for (several drawings, where there is none), every other key is a setting of the core's
+ * table; unknown ones are ignored. Links before `v` held `w` alone.
  */
 
-import type { SettingsTable, SettingValues } from "../../engine/protocol";
+import { JOBS, type Job, type SettingsTable, type SettingValues } from "../../engine/protocol";
 
 export const FRAGMENT_VERSION = 1;
 
 export interface Fragment {
+  /** Null where the fragment says nothing at all. */
+  readonly job: Job | null;
   readonly code: string | null;
   /** As written; see [`known`]. */
   readonly settings: SettingValues;
@@ -20,16 +23,18 @@ export function readFragment(hash: string): Fragment {
   const version = Number(pairs.get("v") ?? FRAGMENT_VERSION);
   const settings: Record<string, string> = {};
   for (const [name, value] of pairs) {
-    if (name !== "v" && name !== "w") settings[name] = value;
+    if (!["v", "w", "job"].includes(name)) settings[name] = value;
   }
-  return { code: pairs.get("w"), settings, newer: !(version <= FRAGMENT_VERSION) };
+  const job = JOBS.find((job) => job === pairs.get("job")) ?? (pairs.size > 0 ? "multiview" : null);
+  return { job, code: pairs.get("w"), settings, newer: !(version <= FRAGMENT_VERSION) };
 }
 
 /** Empty where there is nothing to say. */
-export function writeFragment(code: string | null, settings: SettingValues): string {
+export function writeFragment(job: Job, code: string | null, settings: SettingValues): string {
+  const first = job === "multiview" ? "" : `&job=${job}`;
   const pairs = Object.entries(settings).map(([name, value]) => `&${encodeURIComponent(name)}=${encodeURIComponent(value)}`);
-  if (code === null && pairs.length === 0) return "";
-  return `#v=${FRAGMENT_VERSION}${code === null ? "" : `&w=${code}`}${pairs.join("")}`;
+  if (!first && code === null && pairs.length === 0) return "";
+  return `#v=${FRAGMENT_VERSION}${first}${code === null ? "" : `&w=${code}`}${pairs.join("")}`;
 }
 
 /** The settings that the table knows with values it allows, less those that are as their preset has them. */

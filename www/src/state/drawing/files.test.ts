@@ -7,6 +7,7 @@ it("takes three pictures of fifty and says so", () => {
   const { pictures, note } = sortFiles(Array.from({ length: 50 }, (_, i) => file(`${i}.png`)), [], 3);
   expect(pictures.map(({ name }) => name)).toEqual(["0.png", "1.png", "2.png"]);
   expect(note).toBe("There are three pads; the first three of 50 files were taken.");
+  expect(sortFiles([file("a.png"), file("b.png")], [], 1).note).toBe("One picture at a time: the first of 2 files was taken.");
 });
 
 it("opens a wire, and turns films away by name", () => {

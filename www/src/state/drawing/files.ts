@@ -19,7 +19,10 @@ export function sortFiles(files: readonly File[], folders: readonly string[], ro
   const notes: string[] = [];
   if (folders.length) notes.push(`${folders[0]!} is a folder; open it and drop the pictures in it.`);
   if (moving.length) notes.push(`${moving[0]!.name} is a film or sound; take a still picture of it.`);
-  if (pictures.length > room) notes.push(`There are three pads; the first ${room === 3 ? "three" : room} of ${pictures.length} files were taken.`);
+  if (pictures.length > room) {
+    const taken = `${pictures.length} files`;
+    notes.push(room === 1 ? `One picture at a time: the first of ${taken} was taken.` : `There are three pads; the first ${room === 3 ? "three" : room} of ${taken} were taken.`);
+  }
   if (wires.length > 1) notes.push(`One wire at a time: ${wires[0]!.name} was opened.`);
   return { pictures: pictures.slice(0, room), wire: wires[0] ?? null, note: notes.join(" ") };
 }

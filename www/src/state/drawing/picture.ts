@@ -1,7 +1,8 @@
 /** A file turned into pixels, within bounds: what is too large is refused before it is decoded, or scaled down. */
 
 import { Problem } from "../../engine/client";
-import type { Pixels } from "../../engine/protocol";
+import type { Picture, Pixels } from "../../engine/protocol";
+import type { KeptPicture } from "./paper";
 import { pictureSize } from "./picture-size";
 
 /** The longer side after reading; the fit itself works at 256. */
@@ -43,4 +44,13 @@ export async function readPicture(file: Blob, name: string): Promise<ReadPicture
   } finally {
     bitmap.close();
   }
+}
+
+/** As it is kept: see [`pixelsOf`]. */
+export function kept({ width, height, rgba }: Pixels, name: string): KeptPicture {
+  return { name, width, height, rgba: new Blob([rgba]) };
+}
+
+export async function pixelsOf({ rgba, ...rest }: KeptPicture): Promise<Picture> {
+  return { ...rest, rgba: new Uint8ClampedArray(await rgba.arrayBuffer()) };
 }

@@ -14,22 +14,22 @@ export function over(sheet: Sheet, ink: Sheet): void {
 }
 
 /** A round pen along a polyline. A pixel is covered by how far the pen's rim lies beyond its centre, up to one pixel. */
-export function stroke(sheet: Sheet, side: number, { points, widthPx, erase }: Pick<StrokeLayer, "points" | "widthPx" | "erase">): void {
+export function stroke(sheet: Sheet, width: number, { points, widthPx, erase }: Pick<StrokeLayer, "points" | "widthPx" | "erase">): void {
   const count = points.length / 2;
   for (let i = 0; i < count; i++) {
     const next = Math.min(i + 1, count - 1);
     if (i === next && count > 1) break;
-    segment(sheet, side, points[2 * i]!, points[2 * i + 1]!, points[2 * next]!, points[2 * next + 1]!, widthPx / 2, erase);
+    segment(sheet, width, points[2 * i]!, points[2 * i + 1]!, points[2 * next]!, points[2 * next + 1]!, widthPx / 2, erase);
   }
 }
 
-function segment(sheet: Sheet, side: number, ax: number, ay: number, bx: number, by: number, radius: number, erase: boolean): void {
+function segment(sheet: Sheet, width: number, ax: number, ay: number, bx: number, by: number, radius: number, erase: boolean): void {
   const [dx, dy] = [bx - ax, by - ay];
   const perLength2 = dx || dy ? 1 / (dx * dx + dy * dy) : 0;
   const reach = radius + 0.5;
   const solid2 = Math.max(0, radius - 0.5) ** 2;
-  const [left, right] = span(ax, bx, reach, side);
-  const [top, bottom] = span(ay, by, reach, side);
+  const [left, right] = span(ax, bx, reach, width);
+  const [top, bottom] = span(ay, by, reach, sheet.length / width);
   for (let y = top; y < bottom; y++) {
     const py = y + 0.5 - ay;
     for (let x = left; x < right; x++) {
@@ -39,7 +39,7 @@ function segment(sheet: Sheet, side: number, ax: number, ay: number, bx: number,
       const distance2 = ex * ex + ey * ey;
       if (distance2 >= reach * reach) continue;
       const covered = distance2 <= solid2 ? 255 : Math.min(255, Math.round(255 * (reach - Math.sqrt(distance2))));
-      const i = y * side + x;
+      const i = y * width + x;
       sheet[i] = erase ? Math.min(sheet[i]!, 255 - covered) : Math.max(sheet[i]!, covered);
     }
   }

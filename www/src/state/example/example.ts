@@ -5,6 +5,7 @@
  */
 
 import type { Ink } from "../../engine/protocol";
+import { fetched } from "./fetched";
 import front from "./front.png?url";
 import side from "./side.png?url";
 import top from "./top.png?url";
@@ -36,10 +37,4 @@ export async function examplePapers(read: (drawing: Blob) => Promise<Ink>): Prom
     return [slot, { label, layers: [{ kind: "stamp", label, ink }] }];
   });
   return Object.fromEntries(await Promise.all(papers)) as Record<Slot, Paper>;
-}
-
-async function fetched(url: string): Promise<Response> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  return response;
 }

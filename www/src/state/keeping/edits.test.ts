@@ -53,3 +53,12 @@ it("survives random use: undo is the inverse of apply", () => {
     expect(edits.present).toBe(past.at(-1));
   }
 });
+
+it("changes every step at once for what nobody did", () => {
+  const edits = new Edits({ mine: 0, example: "" });
+  edits.apply("one", { ...edits.present, mine: 1 });
+  edits.apply("two", { ...edits.present, mine: 2 });
+  edits.undo();
+  edits.amend((value) => ({ ...value, example: "cat" }));
+  expect([edits.present, edits.undo(), edits.redo(), edits.redo()]).toEqual([1, 0, 1, 2].map((mine) => ({ mine, example: "cat" })));
+});

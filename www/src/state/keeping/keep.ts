@@ -2,8 +2,8 @@
 
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import type { Snapshot } from "../../engine/protocol";
-import type { Doc } from "./document";
-import type { Track } from "../run/track";
+import { EMPTY_DESK, type Doc, type Made } from "./document";
+import type { Sheet, Track } from "../run/track";
 
 /** A run under way; what it has come to so far lies in the snapshots. */
 export type KeptRun = Omit<Track, "snapshots">;
@@ -16,9 +16,26 @@ interface Schema extends DBSchema {
   snapshots: { key: number; value: Snapshot };
 }
 
-type Parts = Doc["papers"] & Omit<Doc, "papers">;
+/** `settings`, `made` and `loose` are the first job's: it had them before there was another. */
+type Parts = Doc["papers"] & Pick<Doc, "job" | "subject"> & Doc["desks"]["multiview"] & { readonly stroke: Doc["desks"]["stroke"] };
 
-const partsOf = ({ papers, ...rest }: Doc): Parts => ({ ...papers, ...rest });
+const partsOf = ({ papers, job, subject, desks }: Doc): Parts => ({ ...papers, job, subject, ...desks.multiview, stroke: desks.stroke });
+
+function docOf(parts: Partial<Parts>): Doc | null {
+  const { front = null, side = null, top = null, job = "multiview", subject = null, settings, made = null, loose = null, stroke = EMPTY_DESK } = parts;
+  if (!settings) return null;
+  const desk = { settings, made: madeOf(made), loose: madeOf(loose) };
+  return { job, papers: { front, side, top }, subject, desks: { multiview: desk, stroke } };
+}
+
+/** A run was about drawings before there was anything else for it to be about. */
+type OldTrack = { readonly sheets: readonly Sheet[] };
+
+export function trackOf<T extends Omit<Track, "given">>(kept: T & (Pick<Track, "given"> | OldTrack)): T & Pick<Track, "given"> {
+  return "given" in kept ? kept : { ...kept, given: { job: "multiview", sheets: kept.sheets } };
+}
+
+const madeOf = (made: Made | null): Made | null => made && { ...made, track: made.track && trackOf(made.track) };
 
 const NAME = "wire4d";
 const VERSION = 1;
@@ -67,9 +84,7 @@ export class Keep {
       db.getAll("snapshots"),
     ]);
     this.saved = Object.fromEntries(names.map((name, i) => [name, values[i]]));
-    const { front = null, side = null, top = null, settings, made = null } = this.saved;
-    const doc = settings ? { papers: { front, side, top }, settings, made } : null;
-    return { doc, run: run ? { ...run, snapshots } : null };
+    return { doc: docOf(this.saved), run: run ? trackOf({ ...run, snapshots }) : null };
   }
 
   saveDoc(doc: Doc): Promise<void> {

@@ -1,6 +1,6 @@
 /** The document, its undo, and its keeping: every change of what a person makes goes through here. */
 
-import { BLANK, type Doc } from "./document";
+import { BLANK, differingJob, type Doc } from "./document";
 import { Edits } from "./edits";
 import { Keep, tenancy } from "./keep";
 import type { Snapshot } from "../../engine/protocol";
@@ -61,14 +61,25 @@ export class Project {
     this.changed();
   }
 
-  undo(): void {
-    this.edits.undo();
+  /** The same in every step: no undo takes it away. */
+  amend(how: (doc: Doc) => Doc): void {
+    this.edits.amend(how);
     this.changed();
   }
 
+  undo(): void {
+    this.travel(() => this.edits.undo());
+  }
+
   redo(): void {
-    this.edits.redo();
-    this.changed();
+    this.travel(() => this.edits.redo());
+  }
+
+  /** People see what they took back, also where it is of the other job; which job they looked at is no step. */
+  private travel(go: () => Doc): void {
+    const before = this.doc;
+    const job = differingJob(before, go()) ?? before.job;
+    this.replace({ job });
   }
 
   /** This tab keeps the project from now on. */

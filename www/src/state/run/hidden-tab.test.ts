@@ -1,9 +1,9 @@
 import { beforeEach, expect, it, vi } from "vitest";
 import { HiddenTab, type WhenHidden } from "./hidden-tab";
 import { READY, Runner, type RunState } from "./runner";
-import type { Track } from "./track";
+import { freshTrack, type Track } from "./track";
 
-const fresh: Track = { sheets: [], settings: {}, iterations: 0, losses: [], events: [], snapshots: [] };
+const fresh: Track = freshTrack({ job: "multiview", sheets: [] }, {});
 
 let state: RunState;
 let controls: string[];

@@ -2,10 +2,11 @@
 
 import { Cancelled } from "../../engine/client";
 import type { BendPreview, Drawing, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
-import { SLOTS, type Doc, type Slot } from "../keeping/document";
-import { drawingOf, isBlank, type Paper } from "../drawing/paper";
+import { SLOTS, type Desk, type Doc, type Slot } from "../keeping/document";
+import { drawingOf, isBlank } from "../drawing/paper";
 import { nextTask } from "../next-task";
 import { explain } from "../words";
+import type { Sheet } from "./track";
 
 /** What the drawings come to, by the pads they are in. */
 export interface PreviewBySlot {
@@ -29,11 +30,14 @@ export interface PreviewState {
 
 export const NO_PREVIEW: PreviewState = { preview: null, previewBusy: false, previewProblem: "" };
 
+/** The drawings, and the settings they would run with. */
+export type Sheets = Pick<Doc, "papers"> & Pick<Desk, "settings">;
+
 /** A hand that draws is not to be disturbed at every stroke. */
 const WAIT_MS = 200;
 
 export class Previewer {
-  private wanted: Doc | null = null;
+  private wanted: Sheets | null = null;
   private shownPapers: Doc["papers"] | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private working = false;
@@ -45,8 +49,8 @@ export class Previewer {
     private readonly pause: () => Promise<void> = nextTask,
   ) {}
 
-  /** To be called after every change of the document. */
-  follow(doc: Doc): void {
+  /** To be called after every change. */
+  follow(doc: Sheets): void {
     const before = this.wanted;
     if (before && before.papers === doc.papers && before.settings === doc.settings) return;
     this.wanted = doc;
@@ -89,7 +93,7 @@ export class Previewer {
   }
 
   /** Each sheet is put together in a task of its own. */
-  private async drawingsOf({ papers }: Doc): Promise<(Drawing & { name: Slot })[]> {
+  private async drawingsOf({ papers }: Sheets): Promise<(Drawing & { name: Slot })[]> {
     const drawings: (Drawing & { name: Slot })[] = [];
     for (const slot of SLOTS) {
       const paper = papers[slot];
@@ -102,7 +106,7 @@ export class Previewer {
 }
 
 /** The pads that hold ink, in order. */
-export function sheetsOf({ papers }: Pick<Doc, "papers">): { slot: Slot; paper: Paper }[] {
+export function sheetsOf({ papers }: Pick<Doc, "papers">): Sheet[] {
   return SLOTS.flatMap((slot) => {
     const paper = papers[slot];
     return paper && !isBlank(paper) ? [{ slot, paper }] : [];

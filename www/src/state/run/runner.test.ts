@@ -1,14 +1,15 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Finished, Frame, News, SettingValues, Snapshot } from "../../engine/protocol";
+import type { Finished, Frame, News, SettingValues, Snapshot, Work } from "../../engine/protocol";
 import { READY, Runner, type RunState } from "./runner";
-import type { Track } from "./track";
+import type { Subject } from "../subject/subject";
+import { freshTrack, upTo, type Track } from "./track";
 
 const wire = (x: number): WireShape => ({ closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], controlPoints: Array<number>(16).fill(x) });
 const snapshot = (iteration: number): Snapshot => ({ iteration, iterations: 100, loss: 1 / iteration, wire: wire(-iteration), checkpoint: new Blob([String(iteration)]) });
 const frame = (iteration: number): Frame => ({ wire: wire(iteration), iteration, iterations: 100, loss: 1 / iteration, iterationsPerSecond: 20 });
-const fresh: Track = { sheets: [], settings: {}, iterations: 0, losses: [], events: [], snapshots: [] };
+const fresh: Track = freshTrack({ job: "multiview", sheets: [] }, {});
 
 let state: RunState;
 let controls: string[];
@@ -18,6 +19,7 @@ let end: { finish(finished: Finished): void; fail(error: Error): void };
 let runner: Runner;
 let where: string;
 let settings: SettingValues;
+let work: Work;
 
 beforeEach(() => {
   vi.stubGlobal("document", { hidden: true });
@@ -27,8 +29,8 @@ beforeEach(() => {
   where = "";
   shown = NaN;
   const engine = {
-    call: (_call: string, given: { from: Uint8Array | null; settings: SettingValues }) => {
-      ({ from, settings } = given);
+    call: (_call: string, given: { work: Work; from: Uint8Array | null; settings: SettingValues }) => {
+      ({ work, from, settings } = given);
       return new Promise((finish, fail) => (end = { finish, fail }));
     },
     control: (control: string) => void controls.push(control),
@@ -92,10 +94,9 @@ it("goes on from a snapshot: what came later is gone", async () => {
   hear(...[10, 20, 30].map((at) => ({ news: "snapshot", snapshot: snapshot(at) }) as const), { news: "frame", frame: frame(15) });
   vi.advanceTimersByTime(200);
   hear({ news: "frame", frame: frame(35) });
-  const track = runner.at(1)!;
+  const track = upTo(state.track!, state.track!.snapshots[1]!);
   expect(track.snapshots.map(({ iteration }) => iteration)).toEqual([10, 20]);
   expect(track.losses.map(([iteration]) => iteration)).toEqual([15]);
-  expect(runner.at(7)).toBeNull();
   void begun(track);
   await asked();
   expect(from).toBe(track.snapshots.at(-1)!.checkpoint);
@@ -147,4 +148,20 @@ it("stops with the best so far, once", () => {
   runner.step();
   expect(controls).toEqual(["step", "stop"]);
   expect(state.phase).toBe("finishing");
+});
+
+it("gives the engine one picture with its object, and none where the app is to find it", async () => {
+  const rgba = new Uint8ClampedArray(16).fill(7);
+  const picture = { name: "cat.png", width: 2, height: 2, rgba: new Blob([rgba]) };
+  const found = { width: 1, height: 2, mask: Uint8Array.of(0, 255), labels: Uint8Array.of(0, 1), count: 1, notes: [] };
+  const subject: Subject = { picture, object: 1, strokes: [], found, depth: null };
+  work = undefined as never;
+  void runner.run(freshTrack({ job: "stroke", subject }, {}), Promise.resolve("cpu"));
+  await vi.waitFor(() => expect(work).toBeDefined());
+  expect(work).toEqual({ job: "stroke", subject: { picture: { name: "cat.png", width: 2, height: 2, rgba }, mask: { width: 1, height: 2, ink: found.mask }, depth: null } });
+  runner.cancel();
+  work = undefined as never;
+  void runner.run(freshTrack({ job: "stroke", subject: { ...subject, found: null, depth: picture } }, {}), Promise.resolve("cpu"));
+  await vi.waitFor(() => expect(work).toBeDefined());
+  expect(work).toMatchObject({ subject: { mask: null, depth: { name: "cat.png", rgba } } });
 });

@@ -2,10 +2,12 @@
 
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Backend, Drawing, Finished, Frame, News, Place, Snapshot, Target, View } from "../../engine/protocol";
+import type { Backend, Drawing, Finished, Frame, News, Place, Snapshot, Target, View, Work } from "../../engine/protocol";
 import { drawingOf } from "../drawing/paper";
+import { pixelsOf } from "../drawing/picture";
 import { nextTask } from "../next-task";
-import { upTo, withEvent, withFrame, withSnapshot, type Track } from "./track";
+import { maskOf } from "../subject/subject";
+import { withEvent, withFrame, withSnapshot, type Given, type Track } from "./track";
 import { asSentence } from "../words";
 
 export type Phase = "idle" | "preparing" | "running" | "paused" | "finishing";
@@ -22,9 +24,8 @@ export interface Progress {
 
 export const READY: Progress = { words: "", share: 0, secondsLeft: null, iteration: 0, iterations: 0, iterationsPerSecond: 0 };
 
-export interface RunState {
-  readonly phase: Phase;
-  readonly progress: Progress;
+/** What there is to see of a run, or of a wire that was made. */
+export interface Scene {
   /** The run under way, or the one that the wire on the stage came from. */
   readonly track: Track | null;
   /** The snapshot that is looked at, by its index; null is the newest wire. */
@@ -34,6 +35,13 @@ export interface RunState {
   /** What a person should know about the drawings of this run. */
   readonly notes: readonly string[];
 }
+
+export interface RunState extends Scene {
+  readonly phase: Phase;
+  readonly progress: Progress;
+}
+
+export const NOTHING_TO_SEE: Scene = { track: null, looking: null, views: [], targets: [], notes: [] };
 
 export interface RunHooks {
   get(): RunState;
@@ -61,12 +69,12 @@ export class Runner {
   ) {}
 
   /**
-   * Runs the track's drawings from its last snapshot on, or from the start, where `backend` says. Null if it was called off.
+   * Runs the track's work from its last snapshot on, or from the start, where `backend` says. Null if it was called off.
    * @throws what the engine says; the track so far stays in the state.
    */
   async run(track: Track, backend: Promise<Backend>): Promise<Finished | null> {
     const from = track.snapshots.at(-1)?.checkpoint ?? null;
-    const words = from ? "Picking up the wire" : "Looking at the drawings";
+    const words = from ? "Picking up the wire" : track.given.job === "stroke" ? "Looking at the picture" : "Looking at the drawings";
     this.newest = null;
     this.untold = [];
     let off = false;
@@ -78,14 +86,10 @@ export class Runner {
     });
     this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
     try {
-      const drawings: Drawing[] = [];
-      for (const { slot, paper } of track.sheets) {
-        await nextTask();
-        drawings.push(drawingOf(paper, slot));
-      }
+      const work = await workOf(track.given);
       const decided = await Promise.race([calledOff, backend]);
       if (off || !decided) return null;
-      return await this.engine.call("run", { drawings, settings: { ...track.settings, backend: decided }, from });
+      return await this.engine.call("run", { work, settings: { ...track.settings, backend: decided }, from });
     } catch (error) {
       if (error instanceof Cancelled) return null;
       throw error;
@@ -144,13 +148,6 @@ export class Runner {
     if (wire) this.hooks.wire(wire);
   }
 
-  /** The track as it was at one of its snapshots. */
-  at(index: number): Track | null {
-    const { track } = this.hooks.get();
-    const snapshot = track?.snapshots[index];
-    return track && snapshot ? upTo(track, snapshot) : null;
-  }
-
   hear(news: News): void {
     const { phase, track, notes, progress } = this.hooks.get();
     // The last words of a run that was called off.
@@ -205,6 +202,21 @@ export class Runner {
       },
     });
   }
+}
+
+/** What was given, as the engine wants it, a task for each part of it. */
+async function workOf(given: Given): Promise<Work> {
+  if (given.job === "stroke") {
+    const { picture, depth } = given.subject;
+    const mask = maskOf(given.subject);
+    return { job: "stroke", subject: { picture: await pixelsOf(picture), mask, depth: depth && (await pixelsOf(depth)) } };
+  }
+  const drawings: Drawing[] = [];
+  for (const { slot, paper } of given.sheets) {
+    await nextTask();
+    drawings.push(drawingOf(paper, slot));
+  }
+  return { job: "multiview", drawings };
 }
 
 /** Where drawing takes long, as long again is left for everything else. */

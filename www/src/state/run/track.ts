@@ -1,18 +1,42 @@
 /** What is remembered of a run: its losses, events, and a wire every few iterations. Immutable. */
 
-import type { Frame, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
+import type { Frame, Job, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
 import type { Slot } from "../keeping/document";
 import type { Paper } from "../drawing/paper";
+import type { Subject } from "../subject/subject";
+
+/** What a run is about, as it was given. */
+export type Given =
+  /** The drawings by the pads they were in, in the run's order. */
+  | { readonly job: "multiview"; readonly sheets: readonly Sheet[] }
+  | { readonly job: "stroke"; readonly subject: Subject };
+
+export interface Sheet {
+  readonly slot: Slot;
+  readonly paper: Paper;
+}
 
 export interface Track {
-  /** The drawings of the run, by the pads they were in, in the run's order. */
-  readonly sheets: readonly { readonly slot: Slot; readonly paper: Paper }[];
+  readonly given: Given;
   readonly settings: SettingValues;
+  /** Loose strokes, to be laid beside the wire on the stage and not to take its place. */
+  readonly loose?: boolean;
   readonly iterations: number;
   /** [iteration, loss] in order. */
   readonly losses: readonly (readonly [iteration: number, loss: number])[];
   readonly events: readonly RunEvent[];
   readonly snapshots: readonly Snapshot[];
+}
+
+export function freshTrack(given: Given, settings: SettingValues): Track {
+  return { given, settings, iterations: 0, losses: [], events: [], snapshots: [] };
+}
+
+export const jobOf = ({ given }: Track): Job => given.job;
+
+/** What people call what a run is about: its drawings, in the run's order, or its picture. */
+export function labelsOf({ given }: Track): readonly string[] {
+  return given.job === "stroke" ? [given.subject.picture.name] : given.sheets.map(({ paper }) => paper.label);
 }
 
 /** More losses than a curve of this many points can show are thinned out. */

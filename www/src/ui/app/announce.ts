@@ -1,7 +1,8 @@
 /** What a screen reader hears of the page, at a bearable pace. */
 
-import type { Phase, StudioState } from "../../state/studio";
+import { JOBS, type Phase, type StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
+import { compared } from "../run/compared";
 import { verdict } from "../run/verdict";
 
 const PHASES: Readonly<Record<Phase, string>> = {
@@ -14,7 +15,13 @@ const PHASES: Readonly<Record<Phase, string>> = {
 
 /** What changed from one state to the next, as far as it is worth saying; empty if nothing is. */
 export function news(before: StudioState, now: StudioState): string {
-  if (now.doc.made !== before.doc.made && now.doc.made?.source === "run" && now.phase === "idle") return `Done. ${verdict(now.doc.made)}`;
+  for (const job of JOBS) {
+    const { made, loose } = now.doc.desks[job];
+    const { made: madeBefore, loose: looseBefore } = before.doc.desks[job];
+    if (now.phase !== "idle") break;
+    if (made !== madeBefore && made?.source === "run") return `Done. ${verdict(made)}`;
+    if (loose !== looseBefore && loose && made) return `Done. ${compared(made, loose)}`;
+  }
   if (now.said !== before.said && now.said) return now.said;
   if (now.phase !== before.phase) return PHASES[now.phase] || "The run has ended.";
   const quarter = Math.floor(4 * now.progress.share);

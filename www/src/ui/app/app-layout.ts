@@ -27,7 +27,8 @@ export const layout = css`
     border-block-start: 1px solid var(--line);
     background: var(--paper);
   }
-  pad-editor {
+  pad-editor,
+  mask-editor {
     grid-row: 2 / -1;
     grid-column: 2;
     z-index: 3;
@@ -140,10 +141,14 @@ export const layout = css`
       gap: 8px 16px;
       padding-block: 8px;
     }
+    #part-pictures.one {
+      grid-template-columns: minmax(0, 1fr);
+    }
     #part-pictures remedy-list {
       grid-column: 1 / -1;
     }
-    pad-editor {
+    pad-editor,
+    mask-editor {
       position: fixed;
       z-index: 5;
       inset: 0;
@@ -205,6 +210,7 @@ export const layout = css`
     }
   }
   @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
+    #part-pictures.one,
     #part-settings,
     #part-share {
       width: 100%;

@@ -96,16 +96,22 @@ export class HelpDialog extends LitElement {
   override render() {
     return html`<dialog aria-labelledby="title" @click=${this.clickedBeside}>
       <header>
-        <h1 id="title">Three drawings, one wire</h1>
+        <h1 id="title">Pictures into one wire</h1>
         <button class="plain square" aria-label="Close help" @click=${() => this.dialog.close()}>${icons.close}</button>
       </header>
       <div class="body">
         <p>
-          Put a picture on each pad: draw it, type a word, choose an icon, or drop a file. Press Run, and one continuous wire
+          <b>Three views.</b> Put a picture on each pad: draw it, type a word, choose an icon, or drop a file. Press Run, and one continuous wire
           bends itself until its shadows from the front, the side and above are your three drawings. What no wire can show in all
           views at once is marked in amber before you run, with a click to make it better. Turn the room to see the pictures click
-          into place. When you like the wire, copy its link or save it for a 3D printer.
+          into place.
         </p>
+        <p>
+          <b>One picture.</b> Give one picture with something in it: a cat, a face, a word. The app finds what stands out, guesses
+          how it is rounded, and bends one wire that draws it from the front and still makes sense from the side. Fewer control
+          points make it more abstract.
+        </p>
+        <p>When you like a wire, copy its link or save it for a 3D printer.</p>
         <p><b>Nothing leaves this device:</b> no upload, no account, no tracking. Your work is kept in this browser only.</p>
         <h2>Keys</h2>
         <dl>

@@ -3,7 +3,7 @@
 import type { Phase } from "../../state/studio";
 import { percent } from "../../state/words";
 
-export const PLAIN_TITLE = "Wire4D: three drawings, one wire";
+export const PLAIN_TITLE = "Wire4D: pictures into one wire";
 
 /** `unseen` is whether a run has ended since somebody last looked at the page. */
 export function pageTitle(phase: Phase, share: number, unseen: boolean): string {

@@ -1,6 +1,7 @@
-import "../settings/look-panel";
 import "../run/result-panel";
 import "../run/run-choices";
 import "../run/run-panel";
+import "../run/wire-comparison";
 import "../save/save-panel";
+import "../settings/look-panel";
 import "../settings/settings-panel";

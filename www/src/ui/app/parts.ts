@@ -8,6 +8,11 @@ export async function loadParts(): Promise<void> {
   await Promise.all([import("./parts-run"), import("./parts-pictures"), import("./parts-stage")]);
 }
 
+/** What only the second job needs comes when that is first looked at. */
+export async function loadStrokeParts(): Promise<void> {
+  await import("./parts-stroke");
+}
+
 /** Resolves when everything below has been rendered. */
 export async function rendered(root: ParentNode): Promise<void> {
   for (const element of root.querySelectorAll("*")) {

@@ -2,6 +2,7 @@
 
 import { css, html, type TemplateResult } from "lit";
 import { icons } from "../shared/icons";
+import { walkTabs } from "../shared/tablist";
 
 export const TABS = ["pictures", "run", "settings", "share"] as const;
 export type Tab = (typeof TABS)[number];
@@ -13,17 +14,9 @@ const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
   share: { words: "Share", icon: icons.share },
 };
 
-export function tabs(chosen: Tab, choose: (tab: Tab) => void): TemplateResult {
-  const press = (event: KeyboardEvent): void => {
-    const right = getComputedStyle(event.currentTarget as Element).direction === "rtl" ? "ArrowLeft" : "ArrowRight";
-    const at = TABS.indexOf(chosen);
-    const next = { Home: 0, End: TABS.length - 1 }[event.key] ?? (/^Arrow(Left|Right)$/.test(event.key) ? at + (event.key === right ? 1 : -1) : null);
-    if (next === null) return;
-    event.preventDefault();
-    const tab = TABS.at(next % TABS.length)!;
-    choose(tab);
-    (event.currentTarget as Element).querySelector<HTMLElement>(`#tab-${tab}`)?.focus();
-  };
+/** `one` picture, or several. */
+export function tabs(chosen: Tab, one: boolean, choose: (tab: Tab) => void): TemplateResult {
+  const press = (event: KeyboardEvent): void => walkTabs(event, TABS, chosen, choose);
   return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
     ${TABS.map(
       (tab) => html`<button
@@ -35,7 +28,7 @@ export function tabs(chosen: Tab, choose: (tab: Tab) => void): TemplateResult {
         tabindex=${tab === chosen ? 0 : -1}
         @click=${() => choose(tab)}
       >
-        ${SHOWN[tab].icon} ${SHOWN[tab].words}
+        ${SHOWN[tab].icon} ${tab === "pictures" && one ? "Picture" : SHOWN[tab].words}
       </button>`,
     )}
   </div>`;

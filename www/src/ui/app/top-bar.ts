@@ -1,14 +1,15 @@
 import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import type { Studio, StudioState } from "../../state/studio";
+import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
+import { jobTabs, jobTabsStyle } from "./job-tabs";
 import { chooseTheme, theme, THEMES, type Theme } from "./theme";
 
 const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
 
-/** Name, undo, redo, sharing, colours and help. Fires `share` and `help`. */
+/** Name, what to make, undo, redo, sharing, colours and help. Fires `share` and `help`. */
 @customElement("top-bar")
 export class TopBar extends Part {
   @property({ attribute: false }) studio!: Studio;
@@ -17,6 +18,7 @@ export class TopBar extends Part {
 
   static override styles = [
     controls,
+    jobTabsStyle,
     css`
       :host {
         display: flex;
@@ -35,15 +37,6 @@ export class TopBar extends Part {
       h1 b {
         font-weight: 600;
         color: var(--copper-text);
-      }
-      p {
-        flex: 1;
-        min-width: 0;
-        margin: 0;
-        overflow: hidden;
-        color: var(--quiet);
-        text-overflow: ellipsis;
-        white-space: nowrap;
       }
       .tools {
         display: flex;
@@ -64,26 +57,32 @@ export class TopBar extends Part {
           display: none;
         }
       }
+      /* Where there is room for one of them, it is the tabs. */
       @media (max-width: 559px) {
-        p {
-          visibility: hidden;
+        :host {
+          gap: 0;
+          padding-inline-start: 6px;
+        }
+        h1 {
+          position: absolute;
+          clip-path: inset(50%);
         }
       }
     `,
   ];
 
   override render() {
-    const { undo, redo, phase, doc } = this.state;
+    const { undo, redo, phase, running, doc } = this.state;
     const idle = phase === "idle";
     const next = THEMES[(THEMES.indexOf(this.theme) + 1) % THEMES.length]!;
     const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[next]}`;
     return html`
       <h1>Wire<b>4D</b></h1>
-      <p>Three drawings, one wire</p>
+      ${jobTabs(doc.job, running, (job) => this.studio.choose(job))}
       <div class="tools">
         ${this.tool(icons.undo, undo ? `Undo: ${undo}` : "Undo", idle && undo !== null, () => this.studio.undo())}
         ${this.tool(icons.redo, redo ? `Redo: ${redo}` : "Redo", idle && redo !== null, () => this.studio.redo())}
-        <button class="share" ?disabled=${!doc.made || !idle} @click=${() => this.dispatchEvent(new Event("share"))}>${icons.share} Share</button>
+        <button class="share" ?disabled=${!deskOf(doc).made || !idle} @click=${() => this.dispatchEvent(new Event("share"))}>${icons.share} Share</button>
         ${this.tool(icons[this.theme], colours, true, () => {
           chooseTheme(next);
           this.theme = next;

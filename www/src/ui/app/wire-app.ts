@@ -3,14 +3,14 @@ import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../../embed/looks";
 import { addressed } from "../../state/address/address";
 import { nextTask } from "../../state/next-task";
-import { SLOTS, Studio, type StudioState } from "../../state/studio";
+import { deskOf, SLOTS, Studio, tableOf, type StudioState } from "../../state/studio";
 import { layout, NARROW } from "./app-layout";
 import type { EditRequest } from "../pads/drawing-pad";
 import "./drop-hint";
 import "./live-region";
 import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
-import { loadParts, rendered } from "./parts";
+import { loadParts, loadStrokeParts, rendered } from "./parts";
 import { remember, remembered } from "../../state/keeping/remember";
 import type { ResultPanel } from "../run/result-panel";
 import type { SavePanel } from "../save/save-panel";
@@ -18,6 +18,10 @@ import { controls } from "../shared/shared";
 import { actionOf, isTaken, type Action } from "./shortcuts";
 import { tabs, tabsStyle, type Tab } from "./tabs";
 import "./top-bar";
+import type { Subject } from "../../state/subject/subject";
+import type { SubjectEvents } from "../subject/subject-events";
+import type { Heading } from "../../view/heading";
+import type { WireComparison } from "../run/wire-comparison";
 import type { WireStage } from "../stage/wire-stage";
 
 interface LookChange {
@@ -34,11 +38,14 @@ export class WireApp extends LitElement {
   /** Before, parts may still move as others come: they are not shown. */
   @state() private opened = false;
   @state() private tab: Tab = "pictures";
+  /** Whether the object of the one picture is being painted. */
+  @state() private brushing = false;
   @state() private editing: EditRequest | null = null;
   @state() private look: LookChange = { look: (remembered("look") as LookName | null) ?? "copper", room: remembered("room") !== "off" };
   @query("wire-stage") private stage!: WireStage;
   @query("result-panel") private result!: ResultPanel;
   @query("save-panel") private saving!: SavePanel;
+  @query("wire-comparison") private comparison!: WireComparison;
   @query("live-region") private live!: LiveRegion;
   /** Whether a run has ended since somebody last looked. */
   private unseen = false;
@@ -50,27 +57,38 @@ export class WireApp extends LitElement {
   override render() {
     const { studio, now, look, editing } = this;
     const idle = now.phase === "idle";
+    const one = now.doc.job === "stroke";
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
-        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : "Drawings, at rest during a run"}>
-          <section id="part-pictures" role=${this.panel()} aria-label="Pictures" ?hidden=${this.folded("pictures")} @open-editor=${this.openEditor}>
-            ${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
-            <remedy-list .studio=${studio} .state=${now}></remedy-list>
+        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : "Pictures, at rest during a run"}>
+          <section
+            id="part-pictures"
+            class=${one ? "one" : ""}
+            role=${this.panel()}
+            aria-label=${one ? "Picture" : "Pictures"}
+            ?hidden=${this.folded("pictures")}
+            @open-editor=${this.openEditor}
+          >
+            ${one ? this.subject() : this.pads()}
           </section>
         </div>
-        <wire-stage .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></wire-stage>
+        <wire-stage .job=${now.doc.job} .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></wire-stage>
         ${this.narrow.matches ? nothing : this.timeLine()}
         ${editing
           ? html`<pad-editor .studio=${studio} .state=${now} .slot=${editing.slot} .tab=${editing.tab} @close-editor=${this.closeEditor}></pad-editor>`
           : nothing}
+        ${one && this.brushing && now.doc.subject ? this.maskEditor(now.doc.subject) : nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
         <div class="right">
-          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })}></run-panel>
-          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")}>
+          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })} @choose-picture=${this.choosePicture}></run-panel>
+          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom}>
             ${this.narrow.matches ? this.timeLine() : nothing}
-            <run-choices .studio=${studio} .state=${now}></run-choices>
+            ${one
+              ? html`<stroke-choices .studio=${studio} .state=${now}></stroke-choices>`
+              : html`<run-choices .studio=${studio} .state=${now}></run-choices>`}
             <result-panel .state=${now}></result-panel>
+            <wire-comparison .studio=${studio} .state=${now}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
             <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
@@ -78,8 +96,8 @@ export class WireApp extends LitElement {
           <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
             <settings-panel
               .studio=${studio}
-              .table=${now.table}
-              .settings=${now.doc.settings}
+              .table=${tableOf(now)}
+              .settings=${deskOf(now.doc).settings}
               .where=${now.where}
               .whenHidden=${now.whenHidden}
               ?locked=${!idle}
@@ -88,11 +106,50 @@ export class WireApp extends LitElement {
             </settings-panel>
           </section>
         </div>
-        ${this.narrow.matches ? tabs(this.tab, (tab) => (this.tab = tab)) : nothing}
+        ${this.narrow.matches ? tabs(this.tab, one, (tab) => (this.tab = tab)) : nothing}
       </main>
-      <drop-hint ?locked=${!idle} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
+      <drop-hint ?locked=${!idle} ?one=${one} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region></live-region>
     `;
+  }
+
+  private pads() {
+    const { studio, now } = this;
+    return html`${SLOTS.map((slot) => html`<drawing-pad .studio=${studio} .state=${now} .slotName=${slot}></drawing-pad>`)}
+      <remedy-list .studio=${studio} .state=${now}></remedy-list>`;
+  }
+
+  private subject() {
+    const { sitting } = this.studio;
+    const { doc, phase, sitting: passing } = this.now;
+    return html`<subject-pad
+      .subject=${doc.subject}
+      .busy=${passing.busy}
+      .problem=${passing.problem}
+      .note=${passing.note}
+      .locked=${phase !== "idle"}
+      @give=${({ detail }: Told<"give">) => void sitting.give(detail.file, detail.name)}
+      @choose-object=${({ detail }: Told<"choose-object">) => void sitting.chooseObject(detail.object)}
+      @clear-subject=${() => sitting.clear()}
+      @open-brush=${this.openBrush}
+      @give-depth=${({ detail }: Told<"give-depth">) => void sitting.giveDepth(detail.file, detail.name)}
+      @clear-depth=${() => sitting.clearDepth()}
+    ></subject-pad>`;
+  }
+
+  private maskEditor(subject: Subject) {
+    const { studio, now } = this;
+    return html`<mask-editor
+      .subject=${subject}
+      .busy=${now.sitting.busy}
+      .locked=${now.phase !== "idle"}
+      .undo=${now.undo}
+      .redo=${now.redo}
+      @paint=${({ detail }: Told<"paint">) => studio.sitting.paint(detail.strokes)}
+      @undo=${() => studio.undo()}
+      @redo=${() => studio.redo()}
+      @close-editor=${() => (this.brushing = false)}
+    ></mask-editor>`;
   }
 
   protected override firstUpdated(): void {
@@ -119,7 +176,14 @@ export class WireApp extends LitElement {
     addEventListener("keydown", (event) => this.press(event), { signal });
     addEventListener("pagehide", () => this.studio.save(), { signal });
     addEventListener("focus", () => this.seen(), { signal });
-    addEventListener("theme-change", () => this.result.recolour(), { signal });
+    addEventListener(
+      "theme-change",
+      () => {
+        this.result.recolour();
+        this.comparison.recolour();
+      },
+      { signal },
+    );
     document.addEventListener("visibilitychange", () => document.hidden || this.seen(), { signal });
     this.narrow.addEventListener("change", () => this.requestUpdate(), { signal });
     void this.studio.begin(location);
@@ -153,20 +217,24 @@ export class WireApp extends LitElement {
     const before = this.now;
     this.now = now;
     this.live.state = now;
-    if (before.phase !== "idle" && now.phase === "idle") this.ended(before, now);
-    if (now.doc !== before.doc && now.undo !== null) this.readdress(now);
+    if (before.phase !== "idle" && now.phase === "idle") this.unseen = !document.hasFocus();
+    if (hasJustMade(before, now)) this.stage.tour();
+    if (now.doc.job !== before.doc.job) this.turnTo(now);
+    if (now.doc !== before.doc && (now.undo !== null || now.doc.job !== before.doc.job)) this.readdress(now);
     this.retitle();
+  }
+
+  private turnTo({ doc }: StudioState): void {
+    this.editing = null;
+    this.brushing = false;
+    if (doc.job === "stroke") void loadStrokeParts();
+    this.stage.flyTo("room");
   }
 
   /** Settings show in the address as people change them. */
   private readdress({ doc }: StudioState): void {
     const hash = addressed(location.hash, doc);
     if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname + location.search);
-  }
-
-  private ended(before: StudioState, now: StudioState): void {
-    this.unseen = !document.hasFocus();
-    if (now.doc.made !== before.doc.made) this.stage.tour();
   }
 
   private seen(): void {
@@ -189,6 +257,24 @@ export class WireApp extends LitElement {
   }
 
   private readonly closeEditor = (): void => void (this.editing = null);
+
+  /** Loaded when it is first wanted. */
+  private readonly openBrush = (): void => {
+    void import("../subject/mask-editor");
+    this.brushing = true;
+  };
+
+  private readonly lookFrom = ({ detail }: CustomEvent<Heading>): void => this.stage.lookFrom(detail);
+
+  /** An empty pad, with all the ways to fill it. */
+  private readonly choosePicture = async (): Promise<void> => {
+    this.tab = "pictures";
+    this.studio.startOver();
+    await this.updateComplete;
+    const pad = this.renderRoot.querySelector<LitElement>("subject-pad");
+    await pad?.updateComplete;
+    pad?.renderRoot.querySelector<HTMLElement>(".ways button")?.focus();
+  };
 
   private readonly changeLook = (event: Event): void => {
     this.look = (event as CustomEvent<LookChange>).detail;
@@ -232,4 +318,12 @@ export class WireApp extends LitElement {
     await dialog.updateComplete;
     dialog.show();
   }
+}
+
+type Told<Kind extends keyof SubjectEvents> = CustomEvent<SubjectEvents[Kind]>;
+
+/** Whether the run that was looked at has come to its wire. */
+function hasJustMade(before: StudioState, now: StudioState): boolean {
+  const { made } = deskOf(now.doc);
+  return made !== deskOf(before.doc).made && made?.source === "run" && made.track === before.track;
 }

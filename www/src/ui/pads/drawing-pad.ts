@@ -388,23 +388,23 @@ export class DrawingPad extends Part {
       html`<button role="menuitem" tabindex="-1" ?disabled=${off} @click=${act}>${icon}<span>${words}</span></button>`;
     const invert = (): void => {
       const dark = picture!.found.polarity === "dark";
-      void studio.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
+      void studio.pads.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
     };
     return html`
       ${item("Draw, type or take an icon", icons.pencil, () => this.edit("draw"), false)}
       ${item("Choose a picture", icons.picture, () => this.input.click(), false)}
       <hr role="separator" />
-      ${item("Mirror", icons.mirror, () => studio.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => studio.turn(slotName, 1))}
-      ${item("Turn right", icons.turnRight, () => studio.turn(slotName, 3))}
+      ${item("Mirror", icons.mirror, () => studio.pads.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => studio.pads.turn(slotName, 1))}
+      ${item("Turn right", icons.turnRight, () => studio.pads.turn(slotName, 3))}
       ${SLOTS.filter((other) => other !== slotName).map((other) =>
-        item(`Swap with ${other}`, icons.swap, () => studio.swap(slotName, other), !paper && !this.state.doc.papers[other]),
+        item(`Swap with ${other}`, icons.swap, () => studio.pads.swap(slotName, other), !paper && !this.state.doc.papers[other]),
       )}
       ${picture
         ? html`<hr role="separator" />
             ${item("Swap ink and ground", icons.invert, invert)} ${item("Set how dark ink is", icons.settings, () => this.edit("picture"))}`
         : nothing}
       <hr role="separator" />
-      ${item("Clear", icons.clear, () => studio.clear(slotName))}
+      ${item("Clear", icons.clear, () => studio.pads.clear(slotName))}
     `;
   }
 
@@ -420,11 +420,11 @@ export class DrawingPad extends Part {
   }
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
-    this.studio.setPaper(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
+    this.studio.pads.set(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
   }
 
   private give(file: File | undefined): void {
-    if (file && !this.locked) void this.studio.givePicture(this.slotName, file, file.name || "The picture");
+    if (file && !this.locked) void this.studio.pads.give(this.slotName, file, file.name || "The picture");
   }
 
   private chosen(): void {

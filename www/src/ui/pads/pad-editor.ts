@@ -226,7 +226,7 @@ export class PadEditor extends LitElement {
         />
         Show as the wire sees it
       </label>
-      <button ?disabled=${!this.paper} @click=${() => this.studio.clear(this.slot)}>${icons.clear} Clear the sheet</button>
+      <button ?disabled=${!this.paper} @click=${() => this.studio.pads.clear(this.slot)}>${icons.clear} Clear the sheet</button>
       <p class="small quiet fine">With keys: <kbd>Tab</kbd> to the sheet, arrows move, <kbd>Space</kbd> puts the pen down and lifts it.</p>
     `;
   }
@@ -335,7 +335,7 @@ export class PadEditor extends LitElement {
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
     const { pen, paper } = this;
-    this.studio.setPaper(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? "Erase" : "Draw a stroke");
+    this.studio.pads.set(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? "Erase" : "Draw a stroke");
   }
 
   private type(text: string): void {
@@ -372,21 +372,21 @@ export class PadEditor extends LitElement {
     await this.writeWord();
     const { stamp, locked } = this;
     if (stamp && !locked && slot === this.slot) {
-      this.studio.setPaper(slot, withStamp(this.paper, stamp), `Write “${stamp.label}”`);
+      this.studio.pads.set(slot, withStamp(this.paper, stamp), `Write “${stamp.label}”`);
       this.pending = false;
     }
     this.stamp = null;
   }
 
   private takeIcon({ detail: { name, ink } }: CustomEvent<TakenIcon>): void {
-    this.studio.setPaper(this.slot, withStamp(this.paper, { label: name, ink }), `Take the icon ${name}`);
+    this.studio.pads.set(this.slot, withStamp(this.paper, { label: name, ink }), `Take the icon ${name}`);
   }
 
   private reread(reading: Reading): void {
     this.reading = reading;
     clearTimeout(this.resting);
     this.resting = setTimeout(async () => {
-      await this.studio.reread(this.slot, reading);
+      await this.studio.pads.reread(this.slot, reading);
       if (this.reading === reading) this.reading = null;
     }, REST_MS);
   }
@@ -395,7 +395,7 @@ export class PadEditor extends LitElement {
     if (!file || this.locked) return;
     this.forget();
     this.tab = "picture";
-    void this.studio.givePicture(this.slot, file, file.name || "The picture");
+    void this.studio.pads.give(this.slot, file, file.name || "The picture");
   }
 
   private chosen(event: Event): void {

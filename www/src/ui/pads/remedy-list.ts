@@ -145,10 +145,10 @@ export class RemedyList extends Part {
   /** What arranging has gained, and the way back. */
   private arranged({ asGiven, coverable, drawings }: PreviewBySlot, locked: boolean): TemplateResult | typeof nothing {
     const moved = SLOTS.some((slot) => drawings[slot] && movedBy(slot, drawings[slot]!));
-    if (!moved || this.studio.value("arrange") !== "on") return nothing;
+    if (!moved || this.studio.options.value("arrange") !== "on") return nothing;
     return html`<p class="arranged small quiet">
       <span>Arranged for you: ${percent(asGiven)} → ${percent(coverable)}.</span>
-      <button class="plain small" ?disabled=${locked} @click=${() => this.studio.set("arrange", "off")}>Keep as I put them</button>
+      <button class="plain small" ?disabled=${locked} @click=${() => this.studio.options.set("arrange", "off")}>Keep as I put them</button>
     </p>`;
   }
 
@@ -168,9 +168,9 @@ export class RemedyList extends Part {
     return html`<li>
       <button
         class="small"
-        aria-pressed=${this.studio.value("bend") === bend}
+        aria-pressed=${this.studio.options.value("bend") === bend}
         ?disabled=${locked}
-        @click=${() => this.studio.set("bend", bend)}
+        @click=${() => this.studio.options.set("bend", bend)}
       >
         <span class="tick">${icons.check}</span>
         <span class="words">${BENDS[bend] ?? bend}${price ? html`<small>${price}</small>` : nothing}</span>

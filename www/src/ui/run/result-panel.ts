@@ -1,23 +1,32 @@
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import type { WireShape } from "../../embed/shape";
 import type { Made } from "../../state/keeping/document";
-import type { StudioState } from "../../state/studio";
+import { deskOf, SLOTS, type Job, type StudioState } from "../../state/studio";
 import { count } from "../../view/count";
 import "../../view/loss-curve";
 import "../../view/match-panels";
 import type { Match, MatchPanels } from "../../view/match-panels";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
+import type { TurnedViews } from "./turned-views";
 import { match, verdict } from "./verdict";
 
+/** One array, so that it changes nothing. */
+const FRONT = ["front"];
 const DASH = "–";
+const EXAMPLES: Readonly<Record<Job, string>> = {
+  multiview: "Three pictures in one wire. Make it again to watch how it gets there.",
+  stroke: "One wire draws the picture, and goes on round the back. Make it again to watch how it gets there.",
+};
 
 /** The numbers that matter, the curve, and what they come to in a sentence. */
 @customElement("result-panel")
 export class ResultPanel extends Part {
   @property({ attribute: false }) state!: StudioState;
   @query("match-panels") private panels!: MatchPanels | null;
+  @query("turned-views") private turned!: TurnedViews | null;
+  private told: TurnedViews | null = null;
   private wire: WireShape | null = null;
 
   static override styles = [
@@ -32,6 +41,15 @@ export class ResultPanel extends Part {
         min-height: 73px;
         margin: 0;
         overflow-wrap: anywhere;
+      }
+      .beside {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) minmax(0, 2fr);
+        gap: 8px;
+        margin-block-end: 8px;
+      }
+      .beside match-panels {
+        grid-template-columns: minmax(0, 1fr);
       }
       dl {
         display: grid;
@@ -59,13 +77,22 @@ export class ResultPanel extends Part {
   ];
 
   override render() {
-    const { views, targets, track, looking } = this.state;
+    const { views, targets, track, looking, doc } = this.state;
+    const one = doc.job === "stroke";
     const made = this.measured();
     const found = made?.finished.measures.views.map(matchOf) ?? [];
     return html`
       <h2>Match</h2>
-      <match-panels .views=${views} .targets=${targets} .found=${found}></match-panels>
-      <p class="verdict small">${this.sentence(made)}</p>
+      <div class=${one ? "beside" : ""}>
+        <match-panels
+          .expected=${one ? FRONT : SLOTS}
+          .views=${one ? views.slice(0, 1) : views}
+          .targets=${targets}
+          .found=${found}
+        ></match-panels>
+        <p class="verdict small">${this.sentence(made)}</p>
+      </div>
+      ${one ? html`<turned-views></turned-views>` : nothing}
       <dl>
         ${this.numbers(made).map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}
       </dl>
@@ -82,28 +109,38 @@ export class ResultPanel extends Part {
   setWire(wire: WireShape | null): void {
     this.wire = wire;
     this.panels?.setWire(wire);
+    this.turned?.setWire?.(wire);
   }
 
   recolour(): void {
     this.panels?.recolour();
+    this.turned?.recolour?.();
   }
 
   protected override firstUpdated(): void {
     this.panels?.setWire(this.wire);
   }
 
+  /** Pictures from the sides come and go with the job, and their script comes when they are first wanted. */
+  protected override updated(): void {
+    const { turned } = this;
+    if (turned === this.told) return;
+    this.told = turned;
+    if (turned) void customElements.whenDefined("turned-views").then(() => turned.setWire(this.wire));
+  }
+
   /** The wire on the stage, where it is the finished one: only that has been measured. */
   private measured(): Made | null {
-    const { doc, phase, looking } = this.state;
-    return phase === "idle" && looking === null ? doc.made : null;
+    const { doc, running, looking } = this.state;
+    return running !== doc.job && looking === null ? deskOf(doc).made : null;
   }
 
   private sentence(made: Made | null): string {
-    const { phase, notes, looking } = this.state;
+    const { notes, looking, running, doc } = this.state;
     if (looking !== null) return "Looking back: numbers are for the finished wire.";
-    if (phase !== "idle") return notes.join(" ");
+    if (running === doc.job) return notes.join(" ");
     if (!made) return "";
-    return made.source === "example" ? "Three pictures in one wire. Make it again to watch how it gets there." : verdict(made);
+    return made.source === "example" ? EXAMPLES[doc.job] : verdict(made);
   }
 
   private numbers(made: Made | null): readonly (readonly [name: string, value: string])[] {

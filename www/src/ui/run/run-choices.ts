@@ -50,15 +50,15 @@ export class RunChoices extends Part {
       legend: label,
       name,
       options: Object.entries(choices).map(([value, words]) => ({ value, words })),
-      value: this.studio.value(name) || usual,
+      value: this.studio.options.value(name) || usual,
       locked: this.state.phase !== "idle",
-      choose: (value) => this.studio.set(name, value),
+      choose: (value) => this.studio.options.set(name, value),
     });
   }
 
   /** What the chosen bend means, and comes to as far as that is known before the fit. */
   private outlook(): string {
-    const chosen = this.studio.value("bend") || "little";
+    const chosen = this.studio.options.value("bend") || "little";
     const coverable = this.state.preview?.bends.find(({ bend }) => bend === chosen)?.coverable ?? null;
     return `${BENDS[chosen] ?? ""}${coverable === null ? "" : `; ${percent(coverable)} can be shown`}.`;
   }

@@ -1,14 +1,15 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { Studio, StudioState } from "../../state/studio";
+import { showsExample, type Studio, type StudioState } from "../../state/studio";
 import { timeLeft } from "../../state/words";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
+import { JOB_WORDS } from "../app/job-tabs";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
 import { controls } from "../shared/shared";
 
-/** Run and what goes with it, and what is going on in words. Fires `draw` when a person wants to draw. */
+/** Run and what goes with it, and what is going on in words. Fires `draw` or `choose-picture` when a person wants to. */
 @customElement("run-panel")
 export class RunPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
@@ -172,7 +173,9 @@ export class RunPanel extends Part {
     const example = showsExample(this.state);
     return html`
       <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example ? "Make it again" : "Run"}</button>
-      <button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>
+      ${this.state.doc.job === "stroke"
+        ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-picture"))}>${icons.picture} ${example || given(this.state) === 0 ? "Use your own" : "Start over"}</button>`
+        : html`<button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>`}
     `;
   }
 
@@ -194,13 +197,20 @@ export class RunPanel extends Part {
   }
 
   private words(): string {
-    const { phase, progress, said } = this.state;
-    if (phase === "finishing") return "Keeping the best wire so far";
-    if (phase === "paused") return "Paused";
-    if (phase !== "idle") return progress.words;
+    const { phase, running, comparing, doc } = this.state;
+    if (phase === "idle") return this.wordsAtRest();
+    const words = phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : this.state.progress.words;
+    if (running !== null && running !== doc.job) return `${JOB_WORDS[running]}: ${words}`;
+    return comparing ? `Loose strokes, to compare: ${words}` : words;
+  }
+
+  private wordsAtRest(): string {
+    const { said, doc } = this.state;
     if (said) return said;
     if (showsExample(this.state)) return "An example. Nothing leaves this device.";
-    return given(this.state) < 2 ? "A wire needs at least two drawings." : "Ready. Nothing leaves this device.";
+    if (doc.job === "stroke" && given(this.state) === 0) return "A wire needs a picture.";
+    if (doc.job === "multiview" && given(this.state) < 2) return "A wire needs at least two drawings.";
+    return "Ready. Nothing leaves this device.";
   }
 
   private steps(): string {
@@ -224,12 +234,7 @@ export class RunPanel extends Part {
   };
 }
 
+/** How many of what the job wants are there. */
 function given({ doc }: StudioState): number {
-  return Object.values(doc.papers).filter(Boolean).length;
-}
-
-/** The example as it came: its wire, and nothing that a person did to the drawings. */
-function showsExample({ doc, undo }: StudioState): boolean {
-  const asStamped = Object.values(doc.papers).every((paper) => paper?.layers.length === 1 && paper.layers[0]!.kind === "stamp");
-  return doc.made?.source === "example" && undo === null && asStamped;
+  return doc.job === "stroke" ? Number(doc.subject !== null) : Object.values(doc.papers).filter(Boolean).length;
 }

@@ -119,7 +119,9 @@ export class TimeLine extends Part {
   ];
 
   override render() {
-    const { track, looking } = this.state;
+    const { track, looking, running, doc } = this.state;
+    // One run at a time: what was made here waits for one of the other job.
+    const elsewhere = running !== null && running !== doc.job;
     const snapshots = track?.snapshots ?? [];
     if (!track || snapshots.length < 2) {
       return html`<p class="hint small quiet">When a run is on, its way here shows: go back to any wire, and on from there.</p>`;
@@ -154,7 +156,7 @@ export class TimeLine extends Part {
         />
       </div>
       <div class="acts">
-        <button ?disabled=${looking === null} @click=${() => looking !== null && void this.studio.continueFrom(looking)}>Go on from here</button>
+        <button ?disabled=${looking === null || elsewhere} @click=${() => looking !== null && void this.studio.continueFrom(looking)}>Go on from here</button>
         <button ?disabled=${looking === null} @click=${() => this.studio.lookAt(null)}>${icons.newest} Newest</button>
       </div>
     `;

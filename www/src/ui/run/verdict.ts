@@ -23,15 +23,18 @@ export function verdict(made: Made): string {
     return value === null ? [] : [{ ...view, value, ...(view.bent ?? {}) }];
   });
   if (views.length === 0) return `${pieces(measures.components)}. Its drawings are not with it, so there is nothing to compare.`;
-  const worst = views.reduce((a, b) => (b.value < a.value ? b : a));
-  const flaw = flawOf(worst, subject(made, worst.name));
-  const good = praise(views.filter(({ value }) => value >= GOOD).map(({ name }) => name), views.length);
+  // Sides that nobody gave have no picture to be like.
+  const ofOne = made.track?.given.job === "stroke";
+  const given = ofOne ? views.slice(0, 1) : views;
+  const worst = given.reduce((a, b) => (b.value < a.value ? b : a));
+  const flaw = flawOf(worst, ofOne ? "the picture" : subject(made, worst.name), ofOne);
+  const good = praise(given.filter(({ value }) => value >= GOOD).map(({ name }) => name), given.length, ofOne);
   const apart = measures.components > 1;
   const sentences = [
     `${good}${flaw.words ? `; ${flaw.words}` : apart ? "" : ", in one piece of wire"}.`,
     apart ? `The wire is in ${measures.components} pieces.` : "",
-    bending(views),
-    advice(made, flaw.kind, worst),
+    bending(given),
+    ofOne ? adviceForOne(made, flaw.kind) : advice(made, flaw.kind, worst),
   ];
   return sentences.filter(Boolean).join(" ");
 }
@@ -40,7 +43,8 @@ function pieces(count: number): string {
   return count === 1 ? "One piece of wire" : `${count} pieces of wire`;
 }
 
-function praise(good: readonly string[], all: number): string {
+function praise(good: readonly string[], all: number, ofOne: boolean): string {
+  if (ofOne) return good.length ? "The front matches well" : "The front does not match well yet";
   if (good.length === all) return all === 2 ? "Both views match well" : "Every view matches well";
   if (good.length === 0) return "No view matches well yet";
   const names = good.length === 1 ? good[0]! : `${good.slice(0, -1).join(", ")} and ${good.at(-1)!}`;
@@ -49,10 +53,11 @@ function praise(good: readonly string[], all: number): string {
 
 type Flaw = "none" | "missing" | "stray" | "unclear";
 
-function flawOf(view: { value: number; precision_2px: number | null; recall_2px: number | null }, subject: string): { kind: Flaw; words: string } {
+function flawOf(view: { value: number; precision_2px: number | null; recall_2px: number | null }, subject: string, ofOne: boolean): { kind: Flaw; words: string } {
   const missing = 1 - (view.recall_2px ?? 1);
   const stray = 1 - (view.precision_2px ?? 1);
-  if (missing >= SEEN && missing >= stray) return { kind: "missing", words: `${percent(missing)} of ${subject}’s ink is missing` };
+  if (missing >= SEEN && missing >= stray) return { kind: "missing", words: `${percent(missing)} of ${subject}’s ${ofOne ? "lines are" : "ink is"} missing` };
+  if (stray >= SEEN && ofOne) return { kind: "stray", words: `${percent(stray)} of what it shows is wire between the lines` };
   if (stray >= SEEN) return { kind: "stray", words: `${percent(stray)} of what ${subject} shows are links that join its parts` };
   if (view.value < FAIR) return { kind: "unclear", words: `${subject} is hard to recognise (${percent(view.value)})` };
   if (view.value < GOOD) return { kind: "unclear", words: `${subject} matches fairly well (${percent(view.value)})` };
@@ -62,7 +67,8 @@ function flawOf(view: { value: number; precision_2px: number | null; recall_2px:
 /** "the star" where the drawing has a name of its own, else "the front drawing". */
 function subject(made: Made, viewName: string): string {
   const target = made.finished.targets.find(({ view }) => view.name === viewName);
-  const label = target && made.track?.sheets[target.source]?.paper.label.replace(/\.\w{1,5}$/, "").trim();
+  const sheets = made.track?.given.job === "multiview" ? made.track.given.sheets : [];
+  const label = target && sheets[target.source ?? -1]?.paper.label.replace(/\.\w{1,5}$/, "").trim();
   const ownName = label && label.length <= 24 && !/^(drawing|picture|image|photo|front|side|top|untitled|\d+)$/i.test(label);
   return ownName ? `the ${uncapitalised(label)}` : `the ${viewName} drawing`;
 }
@@ -89,5 +95,15 @@ function advice(made: Made, flaw: Flaw, worst: ViewMeasures): string {
   if (impossible && bend !== "free") return `Let the drawings bend freely, or mirror the ${worst.name}.`;
   if (impossible) return `Try another drawing for the ${worst.name}, or mirror it.`;
   if (flaw === "stray") return "Drawings whose parts touch need fewer links.";
+  return "More steps, or another seed, may help.";
+}
+
+function adviceForOne(made: Made, flaw: Flaw): string {
+  const settings = made.track?.settings ?? {};
+  if (made.stopped && flaw !== "none") return "It was stopped early: going on may still help.";
+  if (made.finished.measures.components > 1 && (settings["form"] ?? "wire") !== "wire") return "One smooth wire keeps it together.";
+  if (flaw === "none") return "";
+  if (settings["preset"] === "paper" || settings["preset"] === "fast") return "Best wire takes a little longer and matches better.";
+  if (Number(settings["control_points"] ?? 0) > 0) return "More control points draw it more closely.";
   return "More steps, or another seed, may help.";
 }

@@ -1,7 +1,9 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../../engine/protocol";
-import type { Studio, StudioState } from "../../state/studio";
+import { deskOf, type Studio, type StudioState } from "../../state/studio";
+import { labelsOf } from "../../state/run/track";
+import { viewWords } from "../../view/heading";
 import { Part } from "../../view/part";
 import { download } from "./download";
 import { fileStem } from "./file-name";
@@ -94,7 +96,7 @@ export class SavePanel extends Part {
   ];
 
   override render() {
-    const none = !this.state.doc.made || this.state.phase !== "idle";
+    const none = !deskOf(this.state.doc).made || this.state.phase !== "idle";
     const views = this.state.views.length ? this.state.views.map(({ name }) => name) : ["front", "side", "top"];
     return html`
       <h2>Save and share</h2>
@@ -110,7 +112,7 @@ export class SavePanel extends Part {
       <div class="svg">
         ${this.file({ format: "svg", name: "SVG", use: "Lines of one view" }, none)}
         <select aria-label="View of the SVG" ?disabled=${none} @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
-          ${views.map((name) => html`<option value=${name} ?selected=${name === this.view}>${name}</option>`)}
+          ${views.map((name) => html`<option value=${name} ?selected=${name === this.view}>${viewWords(name)}</option>`)}
         </select>
       </div>
       <details>
@@ -150,7 +152,7 @@ export class SavePanel extends Part {
     const view = this.state.views.some(({ name }) => name === this.view) ? this.view : (this.state.views[0]?.name ?? "front");
     const blob = await this.studio.export(format, view);
     this.busy = "";
-    if (blob) this.keep(blob, format === "svg" ? `-${view}.svg` : format === "bend.csv" ? "-bends.csv" : `.${format}`);
+    if (blob) this.keep(blob, format === "svg" ? `-${view.replace(/[^\w-]+/g, "-")}.svg` : format === "bend.csv" ? "-bends.csv" : `.${format}`);
   }
 
   private async savePicture(): Promise<void> {
@@ -165,8 +167,10 @@ export class SavePanel extends Part {
   }
 
   private keep(blob: Blob, ending: string): void {
-    const { made, papers } = this.state.doc;
-    const labels = made?.track ? made.track.sheets.map(({ paper }) => paper.label) : made?.source === "example" ? Object.values(papers).map((paper) => paper?.label ?? "") : [];
+    const { doc } = this.state;
+    const { made } = deskOf(doc);
+    const given = doc.job === "stroke" ? [doc.subject?.picture.name ?? ""] : Object.values(doc.papers).map((paper) => paper?.label ?? "");
+    const labels = made?.track ? labelsOf(made.track) : made?.source === "example" ? given : [];
     const name = fileStem(labels) + ending;
     download(blob, name);
     this.studio.say(`Saved ${name}`);

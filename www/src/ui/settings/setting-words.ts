@@ -38,6 +38,22 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   refine: { label: "Add points where needed" },
   smoothness: { label: "Smoothness", slider: [0, 5, 0.1] },
 
+  stroke_start: { label: "First wire", choices: { contour: "Along the outline, inwards", points: "Through points inside", ball: "In a ball" } },
+  shading: { label: "The front shows", choices: { lines: "Lines, wide where it is dark", grey: "The picture's greys" } },
+  hatching: { label: "Lines that fill run", choices: { auto: "As suits the shape", contours: "Along the outline", slices: "Round it, like slices" } },
+  hatch: { label: "Distance of lines", slider: [2, 40, 1] },
+  outline: { label: "Width of outlines", slider: [0.5, 12, 0.5] },
+  tone: { label: "Tone by width", slider: [0, 1, 0.05] },
+  edges: { label: "Inner edges", slider: [0, 4, 0.1] },
+  saliency: { label: "Finer where it catches the eye", slider: [0, 1, 0.05] },
+  gloss: { label: "Gloss", slider: [0, 1, 0.05] },
+  creases: { label: "Lines at creases", slider: [0, 1, 0.05] },
+  roundness: { label: "Roundness", slider: [0, 2, 0.05] },
+  most_depth: { label: "Most depth", slider: [0.05, 2, 0.05] },
+  relief: { label: "Relief by lightness", slider: [0, 1, 0.05] },
+  side_views: { label: "Sides it is checked from", slider: [0, 12, 1] },
+  side_weight: { label: "Weight of the sides", slider: [0, 2, 0.05] },
+
   position_rate: { label: "Rate of positions", slider: [0.05, 2, 0.05] },
   width_rate: { label: "Rate of widths", slider: [0, 1, 0.01] },
   pyramid: { label: "Picture pyramid", choices: { average: "Averages", gaussian: "Gaussian" } },
@@ -48,7 +64,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   grid: { label: "Grid of the first wire", slider: [16, 160, 16] },
 };
 
-export const GROUPS: Readonly<Record<string, string>> = { run: "Run", wire: "Wire", views: "Views", fit: "Fit", expert: "Expert" };
+export const GROUPS: Readonly<Record<string, string>> = { run: "Run", wire: "Wire", views: "Views", stroke: "Stroke", fit: "Fit", expert: "Expert" };
 
 export function wordsFor(name: string): SettingWords {
   if (Object.hasOwn(WORDS, name)) return WORDS[name]!;

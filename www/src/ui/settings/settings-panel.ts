@@ -11,8 +11,8 @@ import { controls } from "../shared/shared";
 import { deviceOf } from "./device-words";
 import { rendererWord } from "../../state/address/renderer";
 
-/** The first two stand beside Run, and ink is found pad by pad. */
-const ELSEWHERE: readonly string[] = ["preset", "bend", "ink"];
+/** The first two stand beside Run; ink is found pad by pad, and an object is chosen where it is seen. */
+const ELSEWHERE: readonly string[] = ["preset", "bend", "ink", "object"];
 
 /** The page's own, not the core's. */
 const HIDDEN_ROW: SettingRow = {
@@ -83,7 +83,7 @@ export class SettingsPanel extends Part {
       <div class="top">
         <h2>Settings</h2>
         ${changed.length
-          ? html`<button class="plain" ?disabled=${this.locked} @click=${() => this.studio.resetSettings()}>${icons.reset} Reset all</button>`
+          ? html`<button class="plain" ?disabled=${this.locked} @click=${() => this.studio.options.reset()}>${icons.reset} Reset all</button>`
           : nothing}
       </div>
       ${this.table
@@ -112,10 +112,10 @@ export class SettingsPanel extends Part {
     return html`<setting-control
       data-setting=${row.name}
       .row=${row}
-      .value=${byAddress ? where.asked : this.studio.value(row.name)}
+      .value=${byAddress ? where.asked : this.studio.options.value(row.name)}
       .usual=${byAddress ? "" : this.usual(row.name)}
       ?locked=${this.locked || byAddress}
-      @choose=${(event: CustomEvent<string>) => this.studio.set(row.name, event.detail)}
+      @choose=${(event: CustomEvent<string>) => this.studio.options.set(row.name, event.detail)}
       >${place ? this.whereabouts() : nothing}</setting-control
     >`;
   }
@@ -143,7 +143,7 @@ export class SettingsPanel extends Part {
   }
 
   private usual(name: string): string {
-    return this.table?.presets[this.studio.value("preset")]?.[name] ?? "";
+    return this.table?.presets[this.studio.options.value("preset")]?.[name] ?? "";
   }
 }
 

@@ -3,6 +3,7 @@
 import { html, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
 import leftRight from "lucide-static/icons/arrow-left-right.svg?raw";
+import brush from "lucide-static/icons/brush.svg?raw";
 import camera from "lucide-static/icons/camera.svg?raw";
 import check from "lucide-static/icons/check.svg?raw";
 import chevronDown from "lucide-static/icons/chevron-down.svg?raw";
@@ -62,6 +63,7 @@ export const icons = {
   link: icon(link),
   download: icon(download),
   file: icon(braces),
+  brush: icon(brush),
   camera: icon(camera),
   picture: icon(image),
   pictures: icon(images),

@@ -3,8 +3,10 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import { LOOK_NAMES, lookOf, type LookName } from "../../embed/looks";
 import type { WireShape } from "../../embed/shape";
-import { Stage, StageUnavailable, type ViewName } from "../../embed/stage";
+import { Stage, StageUnavailable, type Vantage, type ViewName } from "../../embed/stage";
+import type { Job } from "../../engine/protocol";
 import { nextTask } from "../../state/next-task";
+import type { Heading } from "../../view/heading";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
 import { isDark } from "../app/theme";
@@ -16,12 +18,29 @@ const LOOK_WORDS: Readonly<Record<LookName, string>> = {
   parameter: "Along the wire",
   width: "By width",
 };
-const VIEW_WORDS: Readonly<Record<ViewName, string>> = {
-  room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
-  front: "Seen straight from the front, where the wire shows the first drawing.",
-  side: "Seen straight from the side, where the wire shows the second drawing.",
-  top: "Seen straight from above, where the wire shows the third drawing.",
+const VIEW_WORDS: Readonly<Record<Job, Readonly<Record<ViewName, string>>>> = {
+  multiview: {
+    room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
+    front: "Seen straight from the front, where the wire shows the first drawing.",
+    side: "Seen straight from the side, where the wire shows the second drawing.",
+    top: "Seen straight from above, where the wire shows the third drawing.",
+  },
+  stroke: {
+    room: "The wire hangs in the corner of a room. Its shadow on the back wall is the picture.",
+    front: "Seen straight from the front, where the wire shows the picture.",
+    side: "Seen straight from the side.",
+    top: "Seen straight from above.",
+  },
 };
+/** Where the camera goes when a wire is done: from picture to picture, or once round. */
+const TOURS: Readonly<Record<Job, readonly Vantage[]>> = {
+  multiview: ["front", "side", "top", "room"],
+  stroke: ["front", from(45, 10), from(135, 10), from(225, 10), from(315, 10), "front", "room"],
+};
+function from(azimuth: number, elevation: number): Vantage {
+  return { azimuthRad: (azimuth * Math.PI) / 180, elevationRad: (elevation * Math.PI) / 180 };
+}
+
 const TURN_RAD = Math.PI / 8;
 const ZOOM = 1.25;
 
@@ -46,6 +65,8 @@ interface ButtonState {
  */
 @customElement("wire-stage")
 export class WireStage extends Part {
+  /** What the wire is of. */
+  @property() job: Job = "multiview";
   @property() look: LookName = "copper";
   /** Off: the wire alone. */
   @property({ type: Boolean }) room = true;
@@ -238,7 +259,7 @@ export class WireStage extends Part {
         <h2>This browser cannot draw in 3D here</h2>
         <p>
           WebGL 2 is missing or switched off. Everything else works: wires are made, measured, saved and shared as ever, and
-          the small pictures show yours from the front, the side and above.
+          the small pictures show yours from several sides.
         </p>
       </div>`;
     }
@@ -249,7 +270,7 @@ export class WireStage extends Part {
       )}
       <div class="ring"></div>
       ${this.lost ? html`<p class="lost" role="status">The graphics card is busy elsewhere. The picture comes back by itself.</p>` : nothing}
-      <p id="view" class="unseen">${this.view ? VIEW_WORDS[this.view] : "Turned by hand."}</p>
+      <p id="view" class="unseen">${this.view ? VIEW_WORDS[this.job][this.view] : "Turned by hand."}</p>
       <p id="keys" class="unseen">
         Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the side and the top, F the
         whole room.
@@ -304,15 +325,20 @@ export class WireStage extends Part {
     this.stage?.flyTo(view);
   }
 
+  /** To where no button leads. */
+  lookFrom({ azimuth, elevation }: Heading): void {
+    this.take(() => this.stage?.flyTo(from(azimuth, elevation)));
+  }
+
   /** Whether the camera sways while nobody holds it. */
   sway(on: boolean): void {
     this.swaying = on;
     this.stage?.sway(on);
   }
 
-  /** Front, side, top, each for a moment, and back to the room; ends when somebody takes hold. */
+  /** Shows a wire that is done from all there is to see of it, and goes back to the room; ends when somebody takes hold. */
   tour(): void {
-    this.stage?.tour();
+    this.stage?.tour(TOURS[this.job]);
   }
 
   /** A PNG of what the stage shows. */

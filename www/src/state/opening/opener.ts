@@ -1,0 +1,159 @@
+/** Wires from elsewhere: links, files, and the examples of a first visit. */
+
+import { openShareCode, ShareCodeError } from "../../embed/share/code";
+import type { WireShape } from "../../embed/shape";
+import { Problem } from "../../engine/client";
+import type { Job, ViewMeasures } from "../../engine/protocol";
+import { sheetOf } from "../../engine/sheet";
+import { readFragment } from "../address/fragment";
+import { pixelsOf } from "../drawing/picture";
+import { untouched, withDesk, type Made } from "../keeping/document";
+import { NOTHING_TO_SEE } from "../run/runner";
+import type { Options } from "../settings/options";
+import type { Bench } from "../studio-state";
+import type { Subject } from "../subject/subject";
+import { asSentence, explain, named } from "../words";
+
+/** Where a wire comes from: an example also tells how well it matches, since the core cannot measure without pictures. */
+type From = { readonly source: "link" } | { readonly source: "example"; readonly measured: readonly ViewMeasures[] };
+
+export class Opener {
+  /** A job whose wire is on the stage and not yet in the document. */
+  private opening: Job | null = null;
+
+  constructor(
+    private readonly bench: Bench,
+    private readonly options: Options,
+    private readonly page: {
+      /** Once what was kept is back. */
+      recalled(): Promise<unknown>;
+      choose(job: Job): void;
+      wire(wire: WireShape): void;
+    },
+  ) {}
+
+  /** Whether the stage shows what a link or an example carries, ahead of the document. */
+  get ahead(): boolean {
+    return this.opening === this.bench.doc.job;
+  }
+
+  /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
+  async fragment(hash: string): Promise<boolean> {
+    const { job, code, settings, newer } = readFragment(hash);
+    this.bench.warn("");
+    if (newer) {
+      this.bench.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
+      return false;
+    }
+    if (!job) return false;
+    this.page.choose(job);
+    this.options.ask(job, settings);
+    return code !== null && this.code(code, job, { source: "link" });
+  }
+
+  async file(file: File): Promise<void> {
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const finished = await this.bench.engine.call("open", { file: bytes, name: file.name });
+      this.opened({ finished, source: "file", track: null, stopped: false, seconds: 0 }, this.bench.doc.job, `Open ${file.name}`);
+    } catch (error) {
+      this.bench.warn(explain(error, named(file.name)));
+    }
+  }
+
+  /** What a job shows to those who have given it nothing yet. */
+  async example(job: Job): Promise<void> {
+    try {
+      if (job === "stroke") await this.strokeExample();
+      else await this.viewsExample();
+    } catch (error) {
+      this.bench.warn(explain(error, "The example"));
+    }
+  }
+
+  private async viewsExample(): Promise<void> {
+    const { EXAMPLE_VIEWS, exampleCode, examplePapers } = await import("../example/example");
+    // Aside, as codes are; here where there is no worker.
+    const read = (drawing: Blob) => this.bench.engine.call("sheet", { drawing }).catch(() => sheetOf(drawing));
+    const [code, papers] = await Promise.all([exampleCode(), examplePapers(read)]);
+    if (this.tooLate("multiview")) return;
+    this.bench.project.amend((doc) => (untouched(doc, "multiview") ? { ...doc, papers } : doc));
+    this.asItCame("multiview", papers);
+    await this.code(code, "multiview", { source: "example", measured: EXAMPLE_VIEWS });
+  }
+
+  private async strokeExample(): Promise<void> {
+    const { strokeExample } = await import("../example/stroke");
+    const { code, subject, measured } = await strokeExample();
+    if (this.tooLate("stroke")) return;
+    this.bench.project.amend((doc) => (untouched(doc, "stroke") ? { ...doc, subject } : doc));
+    this.asItCame("stroke", subject);
+    await this.code(code, "stroke", { source: "example", measured });
+    await this.findIn(subject);
+  }
+
+  /** The object of the example's picture, for showing: it needs the core. */
+  private async findIn(subject: Subject): Promise<void> {
+    const { engine, project } = this.bench;
+    const picture = await pixelsOf(subject.picture);
+    // Where there is no core, that is said elsewhere.
+    const found = await engine.call("find", { picture, object: 1 }).catch(() => null);
+    if (!found || this.bench.doc.subject !== subject || this.bench.busy) return;
+    const shown = { ...subject, found };
+    project.amend((doc) => (doc.subject === subject ? { ...doc, subject: shown } : doc));
+    this.asItCame("stroke", shown);
+  }
+
+  /** Whether the person was quicker. */
+  private tooLate(job: Job): boolean {
+    return this.bench.busy || !untouched(this.bench.doc, job);
+  }
+
+  private asItCame(job: Job, given: unknown): void {
+    const { store } = this.bench;
+    store.set({ examples: { ...store.get().examples, [job]: given } });
+  }
+
+  /** Shows the wire at once; the worker measures it when it comes to that. */
+  private async code(code: string, job: Job, from: From): Promise<boolean> {
+    this.opening = job;
+    try {
+      // Read aside, to keep nobody waiting; here where there is no worker, or to hear what is wrong.
+      const { wire, views } = await this.bench.engine.call("peek", { code }).catch(() => openShareCode(code));
+      if (this.ahead) {
+        this.page.wire(wire);
+        this.bench.store.set({ ...NOTHING_TO_SEE, views });
+      }
+    } catch (error) {
+      this.opening = null;
+      if (!(error instanceof ShareCodeError)) throw error;
+      this.bench.warn(asSentence(error.message));
+      return false;
+    }
+    void this.adopt(code, job, from);
+    return true;
+  }
+
+  private async adopt(code: string, job: Job, from: From): Promise<void> {
+    try {
+      const finished = await this.bench.engine.call("open", { code });
+      await this.page.recalled();
+      this.opening = null;
+      const measures = from.source === "example" ? { ...finished.measures, views: from.measured } : finished.measures;
+      // The code as it came: the same link again.
+      const made: Made = { finished: { ...finished, code, measures }, source: from.source, track: null, stopped: false, seconds: 0 };
+      this.opened(made, job, "Open the link");
+    } catch (error) {
+      // It is on the stage all the same.
+      this.opening = null;
+      if (!(error instanceof Problem)) console.error(error);
+    }
+  }
+
+  private opened(made: Made, job: Job, label: string): void {
+    const { busy, doc, project } = this.bench;
+    if (busy) return;
+    if (made.source !== "example") this.bench.edit(label, withDesk(doc, job, { made, loose: null }));
+    else project.amend((doc) => (doc.desks[job].made ? doc : { ...doc, ...withDesk(doc, job, { made }) }));
+  }
+}

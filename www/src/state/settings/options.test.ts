@@ -1,0 +1,85 @@
+import { beforeEach, expect, it } from "vitest";
+import type { SettingRow, SettingsTable, SettingsTables } from "../../engine/protocol";
+import { BLANK, type Doc, type Job } from "../keeping/document";
+import { Store } from "../store";
+import type { Bench, StudioState } from "../studio-state";
+import { Options } from "./options";
+
+const row = (name: string, group: SettingRow["group"], more: Partial<SettingRow> = {}): SettingRow => ({
+  name, group, unit: "", help: "", kind: "number", min: 0, max: 1000, ...more,
+});
+const presets = { best: { preset: "best", seed: "0", control_points: "0", min_width: "1", max_width: "20", spacing: "4", roundness: "0.9" } };
+const rows = [
+  row("preset", "run", { kind: "choice", choices: ["best", "fast"] }),
+  ...["seed"].map((name) => row(name, "run")),
+  ...["control_points", "min_width", "max_width", "spacing"].map((name) => row(name, "wire")),
+];
+const table = (more: readonly SettingRow[]): SettingsTable => ({ rows: [...rows, ...more], presets: { ...presets, fast: { ...presets.best, preset: "fast", spacing: "6" } } });
+const tables: SettingsTables = { multiview: table([]), stroke: table([row("roundness", "stroke")]) };
+
+let doc: Doc;
+let labels: string[];
+let options: Options;
+
+beforeEach(() => {
+  doc = { ...BLANK };
+  labels = [];
+  const store = new Store<StudioState>({ doc, tables: null } as unknown as StudioState);
+  const change = (changed: Partial<Doc>): void => {
+    doc = { ...doc, ...changed };
+    store.set({ doc });
+  };
+  options = new Options({
+    store,
+    project: { get doc() { return doc; }, replace: change },
+    get doc() { return doc; },
+    edit: (label: string, changed: Partial<Doc>) => {
+      labels.push(label);
+      change(changed);
+    },
+  } as unknown as Bench);
+  look = (job) => change({ job });
+});
+let look: (job: Job) => void;
+
+it("keeps the settings of each job apart", () => {
+  options.learn(tables);
+  options.set("seed", "3");
+  look("stroke");
+  expect([options.value("seed"), options.value("spacing")]).toEqual(["0", "4"]);
+  options.setAll({ min_width: "3", max_width: "3" }, "Set the width");
+  look("multiview");
+  expect(options.all).toEqual({ seed: "3" });
+  look("stroke");
+  expect(options.all).toEqual({ min_width: "3", max_width: "3" });
+  expect(labels).toEqual(["Set seed", "Set the width"]);
+});
+
+it("takes none of several settings where one is impossible", () => {
+  options.learn(tables);
+  options.setAll({ min_width: "3", max_width: "9999" }, "Set the width");
+  expect([options.all, labels]).toEqual([{}, []]);
+});
+
+it("leaves what is made of one picture alone when a preset changes, and nothing else", () => {
+  options.learn(tables);
+  const chosen = { seed: "3", control_points: "80", max_width: "5", spacing: "9" };
+  for (const job of ["multiview", "stroke"] as const) {
+    look(job);
+    options.setAll(job === "stroke" ? { ...chosen, roundness: "0.5" } : chosen, "Set several");
+    options.set("preset", "fast");
+  }
+  expect(options.all).toEqual({ preset: "fast", seed: "3", control_points: "80", max_width: "5", roundness: "0.5" });
+  look("multiview");
+  expect(options.all).toEqual({ preset: "fast", seed: "3" });
+});
+
+it("gives what an address asks for to the job it names, once it is known what there is", () => {
+  look("stroke");
+  options.ask("stroke", { control_points: "60", colour: "red" });
+  expect(options.all).toEqual({});
+  options.learn(tables);
+  expect(options.all).toEqual({ control_points: "60" });
+  look("multiview");
+  expect(options.all).toEqual({});
+});

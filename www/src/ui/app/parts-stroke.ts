@@ -1,0 +1,3 @@
+import "../run/stroke-choices";
+import "../run/turned-views";
+import "../subject/subject-pad";

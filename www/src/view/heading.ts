@@ -1,0 +1,39 @@
+/** Where one can look from, other than the views that a wire was made for. */
+
+import type { View } from "../engine/protocol";
+
+/** Degrees: to the right of the front, and above it. */
+export interface Heading {
+  readonly azimuth: number;
+  readonly elevation: number;
+}
+
+/** World height of the picture: the unit ball, in which every wire hangs. */
+const HEIGHT_WORLD = 2;
+const SIZE_PX = 256;
+/** From the middle; straight views do not mind. */
+const AWAY = 3;
+
+/** The straight view from a heading. */
+export function viewFrom({ azimuth, elevation }: Heading, name: string): View {
+  const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
+  const [sinA, cosA, sinE, cosE] = [Math.sin(a), Math.cos(a), Math.sin(e), Math.cos(e)];
+  return {
+    name,
+    projection: "orthographic",
+    eye: [AWAY * sinA * cosE, AWAY * sinE, AWAY * cosA * cosE],
+    target: [0, 0, 0],
+    up: [-sinA * sinE, cosE, -cosA * sinE],
+    height_world: HEIGHT_WORLD,
+    width_px: SIZE_PX,
+    height_px: SIZE_PX,
+  };
+}
+
+/** "33,6", as the core calls a view that has no name, as "33° round, 6° up"; every other name as it is. */
+export function viewWords(name: string): string {
+  const found = /^(-?[\d.]+),(-?[\d.]+)$/.exec(name);
+  if (!found) return name;
+  const elevation = Number(found[2]);
+  return `${found[1]!}° round${elevation ? `, ${Math.abs(elevation)}° ${elevation > 0 ? "up" : "down"}` : ""}`;
+}

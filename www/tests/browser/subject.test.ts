@@ -1,0 +1,373 @@
+/** One picture: how people give it, see its object, choose another and correct it with a brush. The elements alone. */
+
+import { join } from "node:path";
+import type { Browser, Page } from "playwright-core";
+import { build } from "vite";
+import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import { inspect } from "./a11y";
+import { launch, picture, ROOT, serveDist, visit, type Site, type VisitOptions } from "./browser";
+import { drawStroke, dropFiles, pasteFile } from "./gestures";
+
+const PLACE = join(ROOT, "www/tests/browser/subject");
+const BUILT = join(ROOT, "target/subject-place");
+const DESK = { viewport: { width: 1440, height: 900 } } as const;
+const PHONE = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 } as const;
+
+let browser: Browser;
+let site: Site;
+let page: Page;
+let faults: string[];
+
+beforeAll(async () => {
+  await build({ root: PLACE, base: "./", logLevel: "error", publicDir: false, build: { outDir: BUILT, emptyOutDir: true, target: "es2022", assetsInlineLimit: 0 } });
+  browser = await launch({ args: ["--use-fake-device-for-media-stream=device-count=2"] });
+  site = await serveDist("/", BUILT);
+});
+afterAll(async () => {
+  await browser.close();
+  site.server.close();
+});
+afterEach(async () => {
+  expect(faults).toEqual([]);
+  await page.context().close();
+});
+
+async function open(options: VisitOptions = DESK): Promise<void> {
+  ({ page, faults } = await visit(browser, site.url, options));
+  await page.locator("subject-pad .shelf canvas.painted").first().waitFor();
+}
+
+const button = (name: string | RegExp) => page.getByRole("button", { name });
+const pad = () => page.locator("subject-pad");
+const shown = () => pad().locator("subject-canvas .frame");
+const editor = () => page.locator("mask-editor");
+const large = () => editor().locator("subject-canvas .frame");
+const kinds = () => page.evaluate(() => (window as unknown as Place).place.events.map(({ kind }) => kind));
+const strokes = () => page.evaluate(() => (window as unknown as Place).place.subject?.strokes.length ?? -1);
+
+interface Place {
+  readonly place: {
+    locked: boolean;
+    busy: boolean;
+    draw(): void;
+    readonly subject: { readonly object: number; readonly strokes: readonly { adds: boolean; width: number; points: readonly number[] }[]; readonly picture: { name: string; width: number }; readonly depth: { name: string } | null } | null;
+    readonly events: readonly { kind: string; detail: unknown }[];
+  };
+}
+const subject = () => page.evaluate(() => (window as unknown as Place).place.subject);
+
+/** Share of the picture that is veiled, more than half. */
+function veiled(where = shown()): Promise<number> {
+  return where.locator("canvas#over").evaluate((element) => {
+    const canvas = element as HTMLCanvasElement;
+    if (!canvas.width || !canvas.height) return -1;
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+    let veiled = 0;
+    for (let i = 3; i < data.length; i += 4) veiled += data[i]! > 127 ? 1 : 0;
+    return veiled / (data.length / 4);
+  });
+}
+
+/** Three discs of different sizes on white. */
+async function things(width = 640, height = 480): Promise<Buffer> {
+  const base64 = await page.evaluate(
+    async ([width, height]) => {
+      const canvas = new OffscreenCanvas(width, height);
+      const context = canvas.getContext("2d")!;
+      context.fillStyle = "#fff";
+      context.fillRect(0, 0, width, height);
+      for (const [x, y, radius, colour] of [[0.3, 0.5, 0.3, "#46637f"], [0.72, 0.32, 0.18, "#a2542e"], [0.74, 0.76, 0.12, "#3d6b3f"]] as const) {
+        context.fillStyle = colour;
+        context.beginPath();
+        context.arc(x * width, y * height, radius * height, 0, 7);
+        context.fill();
+      }
+      const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+      return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+    },
+    [width, height] as const,
+  );
+  return Buffer.from(base64, "base64");
+}
+
+async function giveThings(name = "things.png"): Promise<void> {
+  await pad().locator("#file").setInputFiles({ name, mimeType: "image/png", buffer: await things() });
+  await expect.poll(() => veiled(), { timeout: 20_000 }).toBeGreaterThan(0.3);
+}
+
+async function trySample(name: string): Promise<void> {
+  await button(`Try the ${name}`).click();
+  await expect.poll(() => veiled(), { timeout: 20_000 }).toBeGreaterThan(0.3);
+}
+
+describe("giving a picture", () => {
+  it("takes a file, a drop, a paste and a picture of the shelf", async () => {
+    await open();
+    await giveThings("chosen.png");
+    expect((await subject())?.picture).toMatchObject({ name: "chosen.png", width: 640 });
+    await dropFiles(page, shown(), [{ name: "dropped.png", buffer: await things(300, 400) }]);
+    await expect.poll(async () => (await subject())?.picture.name).toBe("dropped.png");
+    await button("Clear").click();
+    await expect.poll(subject).toBeNull();
+    await button("Choose picture").focus();
+    await pasteFile(page, "pasted.png", "image/png", await things(200, 200));
+    await expect.poll(async () => (await subject())?.picture.name).toBe("pasted.png");
+    await button("Clear").click();
+    await trySample("pear");
+    expect((await subject())?.picture.name).toBe("Pear");
+    expect(await kinds()).toEqual(["give", "give", "clear-subject", "give", "clear-subject", "give"]);
+  });
+
+  it("says what is wrong with a picture, and keeps the one before", async () => {
+    await open();
+    await trySample("mug");
+    await pad().locator("#file").setInputFiles({ name: "broken.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
+    await page.getByRole("alert").filter({ hasText: "broken.png" }).waitFor();
+    expect((await subject())?.picture.name).toBe("Mug");
+    await inspect(page, "subject-problem");
+    await button("Close this message").click();
+    await expect.poll(() => page.getByRole("alert").count()).toBe(0);
+  });
+
+  it("takes a depth picture, and lets it go", async () => {
+    await open();
+    await trySample("ball");
+    await pad().locator("summary").click();
+    await pad().getByText("512 × 512").waitFor();
+    await pad().locator("#depth-file").setInputFiles({ name: "depth.png", mimeType: "image/png", buffer: await things(512, 512) });
+    await expect.poll(async () => (await subject())?.depth?.name).toBe("depth.png");
+    await inspect(page, "subject-depth");
+    await button("Take it away").click();
+    await expect.poll(async () => (await subject())?.depth).toBeNull();
+  });
+
+  it("does nothing while a run goes on", async () => {
+    await open();
+    await trySample("cat");
+    await page.evaluate(() => {
+      const { place } = window as unknown as Place;
+      place.locked = true;
+      place.draw();
+    });
+    const before = await kinds();
+    await expect.poll(() => button("Brush").isDisabled()).toBe(true);
+    await shown().click();
+    await dropFiles(page, shown(), [{ name: "late.png", buffer: await things() }]);
+    await page.waitForTimeout(300);
+    expect(await kinds()).toEqual(before);
+  });
+});
+
+describe("the camera", () => {
+  it("takes one photo and is let go", async () => {
+    await open({ ...DESK, permissions: ["camera"] });
+    await page.evaluate(() => {
+      const media = navigator.mediaDevices;
+      const ask = media.getUserMedia.bind(media);
+      const given: MediaStream[] = [];
+      Object.assign(window, { given });
+      media.getUserMedia = async (wanted) => {
+        const stream = await ask(wanted);
+        given.push(stream);
+        return stream;
+      };
+    });
+    const live = () => page.evaluate(() => (window as unknown as { given: MediaStream[] }).given.flatMap((stream) => stream.getTracks().map(({ readyState }) => readyState)));
+    expect(await live()).toEqual([]);
+    await button("Camera").click();
+    await expect.poll(() => button("Take").isEnabled()).toBe(true);
+    expect(await live()).toEqual(["live"]);
+    await page.waitForTimeout(500);
+    await inspect(page, "camera");
+    await button("Other camera").click();
+    await expect.poll(live).toEqual(["ended", "live"]);
+    expect(new Set(await page.evaluate(() => (window as unknown as { given: MediaStream[] }).given.map((stream) => stream.getVideoTracks()[0]!.label))).size).toBe(2);
+    await button("Cancel").click();
+    await expect.poll(live).toEqual(["ended", "ended"]);
+    expect(await kinds()).toEqual([]);
+    expect(await page.evaluate(() => (document.querySelector("subject-pad")!.shadowRoot!.activeElement as HTMLElement).id)).toBe("camera");
+    await button("Camera").click();
+    await expect.poll(() => button("Take").isEnabled()).toBe(true);
+    await button("Take").click();
+    await expect.poll(async () => (await subject())?.picture.name).toBe("Photo");
+    expect((await subject())?.picture.width).toBeGreaterThan(200);
+    await expect.poll(live).toEqual(["ended", "ended", "ended"]);
+  });
+
+  it("says so if it is refused", async () => {
+    await open();
+    await page.evaluate(() => {
+      navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException("No.", "NotAllowedError"));
+    });
+    await button("Camera").click();
+    await page.getByRole("alert").filter({ hasText: "may not use the camera" }).waitFor();
+    await inspect(page, "camera-refused");
+    await page.keyboard.press("Escape");
+    await expect.poll(() => page.locator("camera-dialog").count()).toBe(0);
+  });
+
+  it("is not offered where there is none to ask", async () => {
+    ({ page, faults } = await visit(browser, "about:blank", DESK));
+    await page.addInitScript(() => Reflect.deleteProperty(Navigator.prototype, "mediaDevices"));
+    await page.goto(site.url);
+    await button("Choose picture").waitFor();
+    expect(await button("Camera").count()).toBe(0);
+  });
+});
+
+describe("several things in one picture", () => {
+  it("are chosen by tapping or with keys, and strokes stay", async () => {
+    await open();
+    await giveThings();
+    await page.getByText("3 things found").waitFor();
+    await inspect(page, "subject-things");
+    const box = (await shown().boundingBox())!;
+    await page.mouse.click(box.x + 0.72 * box.width, box.y + 0.32 * box.height);
+    await expect.poll(async () => (await subject())?.object).toBe(2);
+    // A near miss counts, a far one does not.
+    await page.mouse.click(box.x + 0.74 * box.width, box.y + 0.9 * box.height);
+    await expect.poll(async () => (await subject())?.object).toBe(3);
+    await pad().locator("input[name=object][value='3']").focus();
+    await page.keyboard.press("ArrowLeft");
+    await expect.poll(async () => (await subject())?.object).toBe(2);
+    expect(await kinds()).toEqual(["give", "choose-object", "choose-object", "choose-object"]);
+    await page.mouse.click(box.x + 0.95 * box.width, box.y + 0.55 * box.height);
+    await editor().waitFor();
+  });
+});
+
+describe("the brush", () => {
+  it("adds and takes away, is undone, and gives up for what was found", async () => {
+    await open();
+    await trySample("ball");
+    const found = await veiled();
+    await button("Brush").click();
+    await drawStroke(page, large(), [[0.1, 0.06], [0.9, 0.06]]);
+    await expect.poll(strokes).toBe(1);
+    await expect.poll(() => veiled()).toBeLessThan(found - 0.02);
+    const added = await veiled();
+    await editor().locator("input[value=remove]").check({ force: true });
+    await editor().locator("input[type=number]").fill("20");
+    await editor().locator("input[type=number]").press("Tab");
+    await drawStroke(page, large(), [[0.5, 0.3], [0.5, 0.7]]);
+    await expect.poll(strokes).toBe(2);
+    await expect.poll(() => veiled()).toBeGreaterThan(added + 0.05);
+    expect((await subject())?.strokes.map(({ adds, width }) => [adds, width])).toEqual([[true, 0.06], [false, 0.2]]);
+    await page.mouse.move(500, 600);
+    await inspect(page, "subject-brush");
+    await button(/^Undo/).click();
+    await expect.poll(() => veiled()).toBeCloseTo(added, 3);
+    await button(/^Redo/).click();
+    await button("Use what was found").click();
+    await expect.poll(strokes).toBe(0);
+    await expect.poll(() => veiled()).toBeCloseTo(found, 3);
+    await button("Done").click();
+    await expect.poll(() => editor().count()).toBe(0);
+  });
+
+  it("paints where nothing was found, and nothing is veiled before", async () => {
+    await open();
+    const blank = await picture(page, 400, 300, "blank");
+    await pad().locator("#file").setInputFiles({ name: "fog.png", mimeType: "image/png", buffer: blank });
+    await page.getByText("Nothing found").waitFor();
+    await button("Brush").click();
+    expect(await veiled()).toBe(0);
+    await drawStroke(page, large(), [[0.3, 0.5], [0.7, 0.5]]);
+    await expect.poll(() => veiled()).toBeGreaterThan(0.8);
+    expect((await subject())?.strokes[0]!.points.map((value) => Math.round(50 * value) / 50)).toEqual([0.3, 0.5, 0.7, 0.5]);
+    await inspect(page, "subject-nothing-found");
+  });
+
+  it("works with keys alone", async () => {
+    await open();
+    await trySample("ball");
+    await button("Brush").focus();
+    await page.keyboard.press("Enter");
+    await large().focus();
+    await page.keyboard.press("x");
+    for (let i = 0; i < 4; i++) await page.keyboard.press("]");
+    for (let i = 0; i < 2; i++) await page.keyboard.press("Shift+ArrowLeft");
+    await page.keyboard.press("Space");
+    for (let i = 0; i < 4; i++) await page.keyboard.press("Shift+ArrowRight");
+    // Nothing is told before the stroke is done; Escape would take it back, and not close the sheet.
+    expect(await strokes()).toBe(0);
+    await page.keyboard.press("Space");
+    await expect.poll(strokes).toBe(1);
+    const [stroke] = (await subject())!.strokes;
+    expect(stroke).toEqual({ adds: false, width: 0.1, points: [0.375, 0.5, 0.625, 0.5] });
+    await page.keyboard.press("Space");
+    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("Escape");
+    expect(await strokes()).toBe(1);
+    await inspect(page, "subject-brush-keys");
+    await page.keyboard.press("Escape");
+    await expect.poll(() => editor().count()).toBe(0);
+    expect(await strokes()).toBe(1);
+  });
+
+  it("is a finger on a phone", async () => {
+    await open(PHONE);
+    await inspect(page, "subject-phone-empty");
+    await giveThings();
+    await inspect(page, "subject-phone");
+    const box = (await shown().boundingBox())!;
+    await page.touchscreen.tap(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
+    await large().waitFor();
+    await page.waitForTimeout(200);
+    const sheet = (await large().boundingBox())!;
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: "touchStart" | "touchMove" | "touchEnd", x: number, y: number) =>
+      session.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x: sheet.x + x * sheet.width, y: sheet.y + y * sheet.height }] });
+    await touch("touchStart", 0.1, 0.1);
+    await touch("touchMove", 0.3, 0.12);
+    await touch("touchMove", 0.5, 0.1);
+    await touch("touchEnd", 0, 0);
+    await expect.poll(strokes).toBe(1);
+    await inspect(page, "subject-phone-brush");
+    for (const control of await editor().locator("button:visible, .options:visible, input[type=range]:visible").all()) {
+      const { height } = (await control.boundingBox())!;
+      expect(height).toBeGreaterThanOrEqual(44);
+    }
+  });
+});
+
+it.each([["narrow", { viewport: { width: 1024, height: 700 } }], ["small", { ...PHONE, viewport: { width: 320, height: 480 } }]] as const)("nothing sticks out of a %s window", async (name, window) => {
+  await open(window);
+  const sticksOut = (): Promise<string[]> =>
+    pad().evaluate((element) => {
+      const { left, right } = element.getBoundingClientRect();
+      return [...element.shadowRoot!.querySelectorAll("button, p, canvas, subject-canvas, .invitation, h2")]
+        .filter((inner) => {
+          const box = inner.getBoundingClientRect();
+          const sheet = inner.closest(".sheet")?.getBoundingClientRect();
+          return box.left < left - 0.5 || box.right > right + 0.5 || (sheet && (box.bottom > sheet.bottom || box.top < sheet.top));
+        })
+        .map((inner) => inner.textContent!.trim() || inner.tagName);
+    });
+  expect(await sticksOut()).toEqual([]);
+  await inspect(page, `subject-${name}-empty`);
+  await giveThings();
+  expect(await sticksOut()).toEqual([]);
+  await inspect(page, `subject-${name}`);
+  await button("Brush").click();
+  await large().waitFor();
+  await page.waitForTimeout(300);
+  await inspect(page, `subject-${name}-brush`);
+});
+
+describe.each([
+  ["dark", { colorScheme: "dark" }],
+  ["forced", { forcedColors: "active" }],
+  ["rtl", { rightToLeft: true }],
+] as const)("%s", (name, options) => {
+  it.each([["desk", DESK], ["phone", PHONE]] as const)("looks right on a %s", async (size, window) => {
+    await open({ ...window, ...options });
+    await inspect(page, `subject-${name}-${size}-empty`);
+    await giveThings();
+    await inspect(page, `subject-${name}-${size}`);
+    await button("Brush").click();
+    await drawStroke(page, large(), [[0.05, 0.08], [0.9, 0.08]]);
+    await page.waitForTimeout(200);
+    await inspect(page, `subject-${name}-${size}-brush`);
+  });
+});
