@@ -10,6 +10,7 @@ mod serve;
 mod setup;
 mod shell;
 mod speed;
+mod tables;
 mod test;
 mod wasm;
 
@@ -31,6 +32,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
+    Verb { name: "tables", options: "[--quick] [--only NAME]", help: tables::HELP, run: tables::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
 ];
 
@@ -41,7 +43,7 @@ fn main() -> ExitCode {
     else {
         println!("usage: cargo xtask VERB\n");
         for verb in VERBS {
-            println!("  {:<26} {}", format!("{} {}", verb.name, verb.options), verb.help);
+            println!("  {:<30} {}", format!("{} {}", verb.name, verb.options), verb.help);
         }
         return ExitCode::SUCCESS;
     };
