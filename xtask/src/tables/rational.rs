@@ -18,11 +18,11 @@ pub fn make(_: &mut Runs) -> Result<Page> {
         "# Rational or linearised\n\n\
          The perspective image of a cubic Bézier is a rational curve. `rational, bounded` draws it with chords that are \
          within 0.002 px by a bound on its curvature, each a tapered stroke with exact coverage; its coverage error here is \
-         the difference from one twice as fine. `rational, 16 points` projects 16 exact points a span, as our fits do \
-         (with fewer points). `linearised xN` is the paper's way: N Bézier pieces a span, control points projected and \
+         the difference from counting 16 x 16 samples a pixel over the same chords: what the rasteriser itself is off. `rational, 16 points` projects 16 exact points a span, as our fits do \
+         (with fewer points), against the same count. `linearised xN` is the paper's way: N Bézier pieces a span, control points projected and \
          taken for a plane cubic. Errors in px are of centres at equal parameters, 512 px; coverage errors are against \
          `rational, bounded` over pixels that are covered in part, for linearised curves drawn as finely as the reference, \
-         so that nothing but the projection differs. Times are medians on one thread: from control points to 16 points a \
+         so that nothing but the projection differs. Times are the least of 40 on one thread: from control points to 16 points a \
          span, the adjoint of that, and drawing forward and backward; the last column divides their sum by that of \
          `rational, 16 points`. Wires are short tours of points in a ball. `cargo bench --bench rational` makes the table.\n\n{}\n\
          ![Largest distance and coverage error over pieces a span](rational.svg)\n",
@@ -61,7 +61,7 @@ struct Rows {
 
 impl Rows {
     fn parse(csv: &str) -> Result<Rows> {
-        let mut lines = csv.lines().map(|line| split(line));
+        let mut lines = csv.lines().map(split);
         let headings = lines.next().ok_or("the bench rational wrote nothing")?;
         let cells: Vec<Vec<String>> = lines.collect();
         if cells.is_empty() || cells.iter().any(|row| row.len() != headings.len()) {

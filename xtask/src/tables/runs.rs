@@ -73,7 +73,8 @@ impl Runs {
             return Ok(known.clone());
         }
         let root = shell::root();
-        let out = root.join("out/tables/made");
+        // Two of these may run side by side.
+        let out = root.join(format!("out/tables/made-{}", std::process::id()));
         let _ = std::fs::remove_dir_all(&out);
         std::fs::create_dir_all(root.join("out/tables"))?;
         let (verb, pictures) = pictures(&root, &case.input);
@@ -94,6 +95,7 @@ impl Runs {
             figures["components"],
             figures["seconds"],
         ));
+        let _ = std::fs::remove_dir_all(&out);
         self.done.insert(case.clone(), figures.clone());
         Ok(figures)
     }
