@@ -133,7 +133,7 @@ fn bars(panel: &Panel, names: &[String], up: &Upward, out: &mut String) {
             let (x, y) = (left + bar * s as f64, up.y(value));
             let _ = writeln!(
                 out,
-                "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{}\"/>",
+                "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{}\" fill-opacity=\".75\"/>",
                 bar * 0.92,
                 (BOTTOM - y).max(0.0),
                 colour(s)
@@ -218,7 +218,7 @@ mod tests {
         while let Some(at) = rest.find('<') {
             let Some(length) = rest[at..].find('>') else { return false };
             let tag = &rest[at + 1..at + length];
-            if tag.contains('<') || tag.matches('"').count() % 2 != 0 {
+            if tag.contains('<') || !tag.matches('"').count().is_multiple_of(2) {
                 return false;
             }
             let name = tag.trim_start_matches('/').split([' ', '/']).next().unwrap_or_default().to_owned();

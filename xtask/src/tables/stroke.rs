@@ -31,9 +31,9 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
         "# One picture\n\n\
          `wire4d stroke` at the reference view, its front, against that preset's own target there: lines as wide as the \
          picture is dark for `best` and `fast`, the picture's greys for `paper` (the paper's loss and schedule; its \
-         diffusion prior is not part of this). Rows with different targets do not compare column by column. Seed 0. {}\n\n\
+         diffusion prior is not part of this). Rows with different targets do not compare column by column. Seed 0. Inputs: {}.\n\n\
          {CELLS}\n\n{}\n![The same as bars, with the deviation over inputs](stroke.svg)\n",
-        runs.said(inputs),
+        inputs.join(", "),
         markdown(&rows, COLUMNS),
     );
     let panel = |title: &str, figure: &str| Panel {
