@@ -153,7 +153,7 @@ fn raster_time(view: &View, vertices: &[[f32; 3]]) -> f64 {
     let mut raster = ExactRaster::new();
     let (d_coverage, mut d_vertices) = (vec![1.0; view.width_px * view.height_px], Vec::new());
     least(|| {
-        raster.forward(view.width_px, view.height_px, vertices, &[stroke.clone()]);
+        raster.forward(view.width_px, view.height_px, vertices, &[stroke]);
         raster.backward(&d_coverage, &mut d_vertices);
     })
 }

@@ -22,7 +22,7 @@ pub fn make(_: &mut Runs) -> Result<Page> {
          (with fewer points), against the same count. `linearised xN` is the paper's way: N Bézier pieces a span, control points projected and \
          taken for a plane cubic. Errors in px are of centres at equal parameters, 512 px; coverage errors are against \
          `rational, bounded` over pixels that are covered in part, for linearised curves drawn as finely as the reference, \
-         so that nothing but the projection differs. Times are the least of 40 on one thread: from control points to 16 points a \
+         so that nothing but the projection differs. Times are the least of 40 on one thread (the reference's vertices: one time, meant to be slow): from control points to 16 points a \
          span, the adjoint of that, and drawing forward and backward; the last column divides their sum by that of \
          `rational, 16 points`. Wires are short tours of points in a ball. `cargo bench --bench rational` makes the table.\n\n{}\n\
          ![Largest distance and coverage error over pieces a span](rational.svg)\n",
