@@ -133,7 +133,8 @@ fn figures(report: &Value, wire: &Value) -> Figures {
     for kind in ["reinit", "refine"] {
         let events = report["events"].as_array().map_or(&[][..], Vec::as_slice);
         let counts = events.iter().filter(|event| event["kind"] == kind).filter_map(|event| event["count"].as_f64());
-        add(kind, Some(counts.sum()));
+        // The empty sum is -0.
+        add(kind, Some(counts.sum::<f64>() + 0.0));
     }
     add("corners", Some(corners(wire) as f64));
     figures
