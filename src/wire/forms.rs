@@ -99,19 +99,19 @@ mod tests {
 
     #[test]
     fn the_same_curve_has_the_same_jerk_in_every_form() {
-        let points: Vec<_> = (0..61).map(|i| f64::from(i) * 0.1).map(|a| [a.cos(), 0.1 * a, a.sin(), 0.02]).collect();
-        let wire = Wire::open_uniform(points.clone()).unwrap();
+        // A circle: no clamped ends, where a spline has jerk of its own.
+        let step = std::f64::consts::TAU / 60.0;
+        let points: Vec<_> = (0..60).map(|i| f64::from(i) * step).map(|a| [a.cos(), a.sin(), 0.0, 0.02]).collect();
+        let wire = Wire::closed_uniform(points).unwrap();
         let jerk = |wire: &Wire| Jerk::<f64>::new(wire).energy(wire.control_points(), 1.0, 0.0);
         for form in [Form::Chain, Form::Bag] {
             let other = wire.to_form(form).unwrap();
             assert_eq!(other.domain(), wire.domain());
             let ratio = jerk(&other) / jerk(&wire);
-            assert!((0.5..2.0).contains(&ratio), "{form:?}: {ratio}");
-            let unit = Wire::uniform(form, false, other.control_points().to_vec()).unwrap();
+            assert!((0.8..1.25).contains(&ratio), "{form:?}: {ratio}");
+            let unit = Wire::uniform(form, other.closed(), other.control_points().to_vec()).unwrap();
             assert!(jerk(&unit) > 50.0 * jerk(&wire), "{form:?}: with unit spans");
         }
-        let closed = Wire::closed_uniform(points).unwrap();
-        assert_eq!(closed.to_form(Form::Chain).unwrap().domain(), closed.domain());
     }
 
     #[test]

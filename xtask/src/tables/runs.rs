@@ -151,11 +151,11 @@ fn corners(wire: &Value) -> usize {
     let points: Vec<Vec<f64>> = wire["control_points"].as_array().into_iter().flatten().map(numbers).collect();
     // In a chain interior knots come three at a time, and control points of joints lie under them.
     let joints = (3..points.len().saturating_sub(1)).filter(|&i| {
-        i + 3 < knots.len()
+        i + 4 < knots.len()
             && !closed
-            && knots[i + 1] == knots[i + 3]
             && knots[i] < knots[i + 1]
-            && knots[i + 3] < knots[knots.len() - 1]
+            && knots[i + 1] == knots[i + 3]
+            && knots[i + 3] < knots[i + 4]
     });
     let turns = |i: usize| {
         let side = |a: usize, b: usize| [0, 1, 2].map(|c| points[b][c] - points[a][c]);
@@ -196,8 +196,11 @@ mod tests {
         let up = chain([[3.0, 1.0, 0.0, 0.0], [3.0, 2.0, 0.0, 0.0], [3.0, 3.0, 0.0, 0.0]]);
         let on = chain([[4.0, 0.1, 0.0, 0.0], [5.0, 0.0, 0.0, 0.0], [6.0, 0.0, 0.0, 0.0]]);
         assert_eq!((corners(&up), corners(&on)), (1, 0));
-        let mut spline = up;
+        let mut spline = up.clone();
         spline["knots"] = json!([0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4]);
         assert_eq!(corners(&spline), 0);
+        let mut bag = up;
+        bag["knots"] = json!([0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2]);
+        assert_eq!(corners(&bag), 0);
     }
 }
