@@ -1,7 +1,7 @@
 //! Every setting there is, once: name, group, unit, range, default and one line of help. The command line's flags, the
 //! page's controls, the saved file and the link are all made from [`TABLE`], so they cannot drift apart.
 
-use crate::{Error, Result, view::Polarity, wire::Form};
+use crate::{Error, Result, start, view::Polarity, wire::Form};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -183,6 +183,16 @@ impl From<Ink> for Polarity {
             Ink::Auto => Polarity::Auto,
             Ink::Dark => Polarity::DarkInk,
             Ink::Light => Polarity::LightInk,
+        }
+    }
+}
+
+impl From<Hatching> for start::Hatching {
+    fn from(hatching: Hatching) -> start::Hatching {
+        match hatching {
+            Hatching::Auto => start::Hatching::Auto,
+            Hatching::Contours => start::Hatching::Contours,
+            Hatching::Slices => start::Hatching::Slices,
         }
     }
 }

@@ -1,7 +1,9 @@
 //! How well a rendering matches a drawing.
 
 use super::REPORT_SIZE_PX;
+use super::perceptual::{Perceptual, YARDSTICKS};
 use crate::view::Image;
+use std::collections::BTreeMap;
 
 /// Ink and rendering of more than this count as drawn, for precision and recall.
 const DRAWN: f32 = 0.5;
@@ -11,7 +13,7 @@ const REACH_PX: usize = 2;
 const MAX_PSNR_DB: f64 = 100.0;
 
 /// All measures of one view.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PictureMatch {
     /// [`soft_iou`].
     pub soft_iou: f64,
@@ -21,11 +23,22 @@ pub struct PictureMatch {
     pub precision_2px: f64,
     /// [`recall_2px`].
     pub recall_2px: f64,
+    /// Scores of the perceptual yardsticks by name.
+    pub perceptual: BTreeMap<String, f64>,
 }
 
-/// Compares what `render` shows with the drawing: overlap and noise at the drawing's own size, precision and recall at
-/// 256 px. `render` is asked for a picture of the width and height given.
-pub fn match_pictures(target: &Image, mut render: impl FnMut(usize, usize) -> Image) -> PictureMatch {
+/// Compares what `render` shows with the drawing: overlap and noise at the drawing's own size, precision, recall and
+/// [`YARDSTICKS`] at 256 px. `render` is asked for a picture of the width and height given.
+pub fn match_pictures(target: &Image, render: impl FnMut(usize, usize) -> Image) -> PictureMatch {
+    match_pictures_with(target, &YARDSTICKS, render)
+}
+
+/// [`match_pictures`] with other yardsticks, such as ones that read a model file.
+pub fn match_pictures_with(
+    target: &Image,
+    yardsticks: &[&dyn Perceptual],
+    mut render: impl FnMut(usize, usize) -> Image,
+) -> PictureMatch {
     let rendered = render(target.width, target.height);
     let (soft_iou, psnr_db) = (soft_iou(&rendered, target), psnr_db(&rendered, target));
     let (width, height) = report_size(target.width, target.height);
@@ -35,7 +48,8 @@ pub fn match_pictures(target: &Image, mut render: impl FnMut(usize, usize) -> Im
         (render(width, height), target.resized(width, height))
     };
     let (precision_2px, recall_2px) = (precision_2px(&rendered, &target), recall_2px(&rendered, &target));
-    PictureMatch { soft_iou, psnr_db, precision_2px, recall_2px }
+    let score = |yardstick: &&dyn Perceptual| (yardstick.name().to_owned(), yardstick.score(&rendered, &target));
+    PictureMatch { soft_iou, psnr_db, precision_2px, recall_2px, perceptual: yardsticks.iter().map(score).collect() }
 }
 
 /// The size whose longer side is [`REPORT_SIZE_PX`].

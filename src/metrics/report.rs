@@ -3,8 +3,9 @@
 use super::{PictureMatch, ShapeMetrics, match_pictures, shape};
 use crate::sculpture::{Sculpture, render};
 use crate::view::Image;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// Longer side, in pixels, of the pictures that figures in pixels are about.
 pub const REPORT_SIZE_PX: usize = 256;
@@ -104,6 +105,16 @@ pub struct ViewReport {
     pub bent: Option<BentReport>,
     /// By which factor the drawing was stretched to fit the box, 1 for not at all.
     pub stretch: f64,
+    /// How alike rendering and target look, by yardstick ([`super::perceptual`]), at 256 px; a field each. Empty where
+    /// there is no drawing to compare with.
+    #[serde(flatten, deserialize_with = "numbers")]
+    pub perceptual: BTreeMap<String, f64>,
+}
+
+/// Only the fields that are numbers, so that a report with other fields can still be read.
+fn numbers<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
+    let fields = Map::deserialize(deserializer)?;
+    Ok(fields.into_iter().filter_map(|(name, value)| Some((name, value.as_f64()?))).collect())
 }
 
 /// How well one view matches its bent drawing, and how far bending moved the ink.
@@ -143,13 +154,14 @@ impl ViewReport {
     pub fn new(name: &str, found: Option<PictureMatch>) -> ViewReport {
         ViewReport {
             name: name.to_owned(),
-            soft_iou: found.map(|f| f.soft_iou),
-            psnr_db: found.map(|f| f.psnr_db),
-            precision_2px: found.map(|f| f.precision_2px),
-            recall_2px: found.map(|f| f.recall_2px),
+            soft_iou: found.as_ref().map(|f| f.soft_iou),
+            psnr_db: found.as_ref().map(|f| f.psnr_db),
+            precision_2px: found.as_ref().map(|f| f.precision_2px),
+            recall_2px: found.as_ref().map(|f| f.recall_2px),
             target_coverable: None,
             bent: None,
             stretch: 1.0,
+            perceptual: found.map(|f| f.perceptual).unwrap_or_default(),
         }
     }
 }
@@ -159,5 +171,24 @@ impl BentReport {
     pub fn new(found: PictureMatch, mean_px: f64, max_px: f64) -> BentReport {
         let PictureMatch { soft_iou, precision_2px, recall_2px, .. } = found;
         BentReport { soft_iou, precision_2px, recall_2px, mean_px, max_px }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn yardsticks_are_fields_of_a_view_and_others_are_passed_over() {
+        let found = match_pictures(&Image::new(64, 64), Image::new);
+        let view = ViewReport::new("front", Some(found));
+        let mut json = serde_json::to_value(&view).unwrap();
+        for (name, best) in [("ms_ssim", 1.0), ("edge_distance_px", 0.0), ("tone_match", 1.0)] {
+            assert_eq!(json[name], best, "{name}");
+        }
+        json["words"] = "of a later version".into();
+        assert_eq!(serde_json::from_value::<ViewReport>(json).unwrap(), view);
+        let alone = serde_json::to_value(ViewReport::new("front", None)).unwrap();
+        assert!(alone["soft_iou"].is_null() && alone.get("ms_ssim").is_none());
     }
 }

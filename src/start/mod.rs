@@ -31,7 +31,7 @@ pub use boxfit::{BoxFit, fit_box};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
 pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path, mean_share};
-pub use lines::{LineOptions, Lines, Subject};
+pub use lines::{Hatching, LineOptions, Lines, Subject};
 pub use place::place;
 pub use placing::Orientation;
 pub use solid::{Solid, SolidOptions};

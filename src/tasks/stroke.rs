@@ -171,7 +171,7 @@ fn nearness(depth: &Picture, picture: &Picture, object: &Object) -> Result<Image
 fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
     let draw = |spacing_px: f64| {
         let options = LineOptions {
-            hatching: settings.hatching,
+            hatching: settings.hatching.into(),
             spacing_px,
             outline_px: settings.outline,
             edges: settings.edges,

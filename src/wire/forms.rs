@@ -1,14 +1,15 @@
 //! The baseline forms from a wire, with as many degrees of freedom.
 
-use super::{Form, Wire};
+use super::{Form, Wire, layout};
 use crate::Result;
 
 impl Wire {
     /// The wire in another form with the same number of control points, or the few less that make whole segments.
     ///
     /// Segments of equal parameter length pass through four points of the curve each, at 0, 1/3, 2/3 and 1, so a chain
-    /// starts joined and a bag's segments start end to end. Widths stay within those of the wire. A closed wire becomes a
-    /// closed chain but an open bag. To the wire's own form: a plain copy. To a spline: control points on the curve at
+    /// starts joined and a bag's segments start end to end. Widths stay within those of the wire. The parameter runs over
+    /// as long a range as the wire's, so that the same curve has the same jerk and a fit's smoothness weighs alike in
+    /// every form. A closed wire becomes a closed chain but an open bag. To the wire's own form: a plain copy. To a spline: control points on the curve at
     /// equal parameters, which smooths.
     ///
     /// # Errors
@@ -41,7 +42,12 @@ impl Wire {
         for point in &mut points {
             point[3] = point[3].clamp(least, most);
         }
-        Wire::uniform(form, closed, points)
+        layout::check_count(form, closed, points.len())?;
+        let mut knots = layout::uniform_knots(form, closed, points.len());
+        // Both layouts begin at knots[3]; uniform ones there with 0.
+        let last = knots[if closed { points.len() + 3 } else { points.len() }];
+        knots.iter_mut().for_each(|knot| *knot = start + (end - start) * (*knot / last));
+        Wire::new(form, closed, knots, points)
     }
 }
 
@@ -56,6 +62,7 @@ fn interpolating_bezier(through: &[[f64; 4]; 4]) -> [[f64; 4]; 4] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Jerk;
     use super::super::test_wires::{all_wires, distance};
     use super::*;
 
@@ -76,7 +83,10 @@ mod tests {
                     (5..45)
                         .map(|i| (f64::from(i) + 0.3) / 50.0)
                         .map(|fraction| {
-                            let at = |wire: &Wire, fraction: f64| wire.evaluate(wire.domain().1 * fraction);
+                            let at = |wire: &Wire, fraction: f64| {
+                                let (start, end) = wire.domain();
+                                wire.evaluate(start + (end - start) * fraction)
+                            };
                             distance(&at(&wire, fraction), &at(&other, fraction + shift))
                         })
                         .fold(0.0, f64::max)
@@ -84,6 +94,23 @@ mod tests {
                 assert!(error(0.0) < 2e-3, "{form:?}: {}", error(0.0));
                 assert!(error(0.01) > 1e-2);
             }
+        }
+    }
+
+    #[test]
+    fn the_same_curve_has_the_same_jerk_in_every_form() {
+        // A circle: no clamped ends, where a spline has jerk of its own.
+        let step = std::f64::consts::TAU / 60.0;
+        let points: Vec<_> = (0..60).map(|i| f64::from(i) * step).map(|a| [a.cos(), a.sin(), 0.0, 0.02]).collect();
+        let wire = Wire::closed_uniform(points).unwrap();
+        let jerk = |wire: &Wire| Jerk::<f64>::new(wire).energy(wire.control_points(), 1.0, 0.0);
+        for form in [Form::Chain, Form::Bag] {
+            let other = wire.to_form(form).unwrap();
+            assert_eq!(other.domain(), wire.domain());
+            let ratio = jerk(&other) / jerk(&wire);
+            assert!((0.8..1.25).contains(&ratio), "{form:?}: {ratio}");
+            let unit = Wire::uniform(form, other.closed(), other.control_points().to_vec()).unwrap();
+            assert!(jerk(&unit) > 50.0 * jerk(&wire), "{form:?}: with unit spans");
         }
     }
 

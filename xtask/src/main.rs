@@ -11,6 +11,7 @@ mod setup;
 mod shell;
 mod speed;
 mod strokes;
+mod tables;
 mod test;
 mod wasm;
 
@@ -33,6 +34,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
     Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },
+    Verb { name: "tables", options: "[--quick] [--only NAME]", help: tables::HELP, run: tables::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
 ];
 
@@ -43,7 +45,7 @@ fn main() -> ExitCode {
     else {
         println!("usage: cargo xtask VERB\n");
         for verb in VERBS {
-            println!("  {:<26} {}", format!("{} {}", verb.name, verb.options), verb.help);
+            println!("  {:<30} {}", format!("{} {}", verb.name, verb.options), verb.help);
         }
         return ExitCode::SUCCESS;
     };

@@ -9,7 +9,6 @@ mod shades;
 mod walk;
 
 use super::envelope::{FAR, lower_envelope};
-use crate::settings::Hatching;
 use crate::view::{Image, Mask};
 use shades::{edges, held_back, highlights, stretched};
 
@@ -26,6 +25,17 @@ pub struct Subject {
     pub highlight: Image,
     /// It is a line drawing, so all of it faces the viewer.
     pub all_seen: bool,
+}
+
+/// Which way the lines run that fill an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hatching {
+    /// Slices, or contours where the object winds like a ring or a letter.
+    Auto,
+    /// Along its outline, one inside the other.
+    Contours,
+    /// Across it: each goes round the solid like the edge of a slice.
+    Slices,
 }
 
 /// Which lines, lengths in pixels of a 256 px picture.
