@@ -9,7 +9,12 @@ pub const SAMPLES_PER_SPAN: usize = 16;
 
 /// Coverage (0 to 1) of the wire in `view`, at the view's own size ([`View::with_size`] gives others).
 pub fn render(wire: &Wire, view: &View) -> Image {
-    let (map, strokes) = wire.sampling_map::<f64>(SAMPLES_PER_SPAN, true);
+    render_sampled(wire, view, SAMPLES_PER_SPAN)
+}
+
+/// [`render`] with another number of samples a knot span: fewer are faster, and enough where spans are short.
+pub fn render_sampled(wire: &Wire, view: &View, samples_per_span: usize) -> Image {
+    let (map, strokes) = wire.sampling_map::<f64>(samples_per_span, true);
     let mut points = Vec::new();
     map.apply(wire.control_points(), &mut points);
     let camera = view.camera::<f64>();

@@ -16,7 +16,7 @@ use super::run::Placed;
 use super::saved::SavedRun;
 use crate::optimize::{Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
 use crate::rng::Rng;
-use crate::sculpture::render;
+use crate::sculpture::render_sampled;
 use crate::settings::{Preset, Settings, Shading, Start, Task};
 use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
 use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
@@ -69,6 +69,8 @@ const ELEVATIONS: [f64; 2] = [-10.0, 80.0];
 const CREASE_PX: f64 = 2.0;
 /// Ink of the sides' targets where the solid is.
 const SIDE_INK: f32 = 0.4;
+/// Samples a knot span of the first wire in the sides' targets: its spans are a few pixels long.
+const SIDE_SAMPLES: usize = 4;
 /// Path between two control points where their number is given, px at 256: fewer points, sparser lines.
 const PATH_PER_POINT_PX: f64 = 12.0;
 /// Sparsest and densest lines tried for a given number of control points, px at 256.
@@ -244,8 +246,8 @@ impl Plan {
     fn fitted(&self, first: &Wire, iteration: usize, settings: &Settings) -> Vec<Target> {
         let turn = iteration.checked_div(settings.new_sides).map_or(0, |turn| turn as u64 + 1);
         let given = self.targets[1..self.sources.len()].iter().map(|target| target.view.clone());
-        let sides = given.chain(side_views(turn, settings));
-        let sides = sides.map(|view| self.side_target(&view, first, settings));
+        let sides: Vec<View> = given.chain(side_views(turn, settings)).collect();
+        let sides = in_parallel(&sides, |view| self.side_target(view, first, settings));
         std::iter::once(self.targets[0].clone()).chain(sides).collect()
     }
 
@@ -255,7 +257,7 @@ impl Plan {
         let mut ink = self.solid.silhouette(view);
         match settings.start {
             Start::Contour => {
-                let lines = render(first, view);
+                let lines = render_sampled(first, view, SIDE_SAMPLES);
                 ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
             }
             Start::Tree | Start::Hull | Start::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
@@ -290,6 +292,17 @@ impl Plan {
             seed: settings.seed,
         }
     }
+}
+
+#[cfg(feature = "threads")]
+fn in_parallel(views: &[View], make: impl Fn(&View) -> Target + Sync + Send) -> Vec<Target> {
+    use rayon::prelude::*;
+    views.par_iter().map(make).collect()
+}
+
+#[cfg(not(feature = "threads"))]
+fn in_parallel(views: &[View], make: impl Fn(&View) -> Target) -> Vec<Target> {
+    views.iter().map(make).collect()
 }
 
 /// A fit of one picture under way.

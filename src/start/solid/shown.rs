@@ -66,8 +66,13 @@ impl Solid {
             let [x, y] = self.place(i);
             let (back, front) = (f64::from(self.back.data[i]), f64::from(self.front.data[i]));
             let steps = ((front - back) / self.cell_world).ceil().max(1.0);
+            let [low, high] = self.hidden(i);
             for k in 0..=steps as usize {
-                let point = [x, y, back + (front - back) * k as f64 / steps, 0.0];
+                let z = back + (front - back) * k as f64 / steps;
+                if low < z && z < high {
+                    continue;
+                }
+                let point = [x, y, z, 0.0];
                 let ([u, v, _], depth) = (camera.project(&point), camera.depth(&point) as f32);
                 let range = |p: f64, size: usize| {
                     let clamp = |p: f64| p.clamp(0.0, size as f64) as usize;
@@ -85,6 +90,23 @@ impl Solid {
             }
         }
         shown
+    }
+
+    /// Between which world z the column of cell `i` lies deep among its neighbours, so that no side shows it.
+    fn hidden(&self, i: usize) -> [f64; 2] {
+        let (width, height) = (self.inside.width, self.inside.height);
+        let (x, y) = (i % width, i / width);
+        if x == 0 || y == 0 || x + 1 == width || y + 1 == height {
+            return [0.0; 2];
+        }
+        let round = [i - 1, i + 1, i - width, i + width];
+        if !round.iter().all(|&n| self.inside.data[n]) {
+            return [0.0; 2];
+        }
+        let low = round.iter().fold(self.back.data[i], |low, &n| low.max(self.back.data[n]));
+        let high = round.iter().fold(self.front.data[i], |high, &n| high.min(self.front.data[n]));
+        // Two layers are left, so that nothing shows through between the discs.
+        [f64::from(low) + 2.0 * self.cell_world, f64::from(high) - 2.0 * self.cell_world]
     }
 }
 
