@@ -126,6 +126,12 @@ fn figures(report: &Value, wire: &Value) -> Figures {
         let values: Vec<f64> = shown.iter().filter_map(|view| view[name].as_f64()).collect();
         add(name, super::stats::mean(&values));
     }
+    if report["task"] == "stroke" {
+        for name in ["precision_2px", "recall_2px"] {
+            let values: Vec<f64> = views.iter().skip(1).filter_map(|view| view[name].as_f64()).collect();
+            add(&format!("side_{name}"), super::stats::mean(&values));
+        }
+    }
     for name in OF_WIRE {
         add(name, report["result"][name].as_f64());
     }
@@ -182,7 +188,9 @@ mod tests {
         assert!((found["soft_iou"] - 0.6).abs() < 1e-12);
         assert_eq!((found["components"], found["refine"], found["reinit"], found["seconds"]), (3.0, 9.0, 0.0, 2.0));
         report["task"] = "stroke".into();
-        assert_eq!(figures(&report, &Value::Null)["soft_iou"], 0.5);
+        report["result"]["views"][1]["recall_2px"] = 0.9.into();
+        let found = figures(&report, &Value::Null);
+        assert_eq!((found["soft_iou"], found["side_recall_2px"]), (0.5, 0.9));
     }
 
     #[test]

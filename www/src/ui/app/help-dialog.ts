@@ -2,6 +2,7 @@ import { css, html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
 import { remember, remembered } from "../../state/keeping/remember";
+import { dialogStyle } from "../shared/dialog-style";
 import { controls } from "../shared/shared";
 import { SHORTCUTS } from "./shortcuts";
 
@@ -15,19 +16,10 @@ export class HelpDialog extends LitElement {
 
   static override styles = [
     controls,
+    dialogStyle,
     css`
       dialog {
         width: min(560px, calc(100vw - 32px));
-        max-height: calc(100dvh - 32px);
-        padding: 0;
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        background: var(--raised);
-        color: var(--ink);
-        box-shadow: var(--shadow);
-      }
-      dialog::backdrop {
-        background: rgb(20 16 12 / 45%);
       }
       header {
         position: sticky;

@@ -9,6 +9,7 @@ import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
+import { droppedPicture, isDropOver, problemOver } from "../shared/drop";
 import { controls } from "../shared/shared";
 
 export type EditorTab = "draw" | "type" | "icons" | "picture";
@@ -51,6 +52,7 @@ export class DrawingPad extends Part {
 
   static override styles = [
     controls,
+    problemOver,
     css`
       :host {
         display: block;
@@ -136,26 +138,6 @@ export class DrawingPad extends Part {
       .over .invitation {
         border-color: var(--copper);
         color: var(--ink);
-      }
-      .problem {
-        position: absolute;
-        inset-inline: 0;
-        inset-block-end: 0;
-        max-height: 100%;
-        margin: 0;
-        padding: 8px;
-        padding-inline-end: 40px;
-        overflow: auto;
-        border-block-start: 2px solid var(--error);
-        background: var(--raised);
-        color: var(--error);
-        overflow-wrap: anywhere;
-      }
-      .problem button {
-        position: absolute;
-        inset-block-start: 0;
-        inset-inline-end: 0;
-        min-height: 40px;
       }
       .tools {
         display: flex;
@@ -433,20 +415,14 @@ export class DrawingPad extends Part {
   }
 
   private dragOver(event: DragEvent): void {
-    if (this.locked || !event.dataTransfer?.types.includes("Files")) return;
-    event.preventDefault();
-    event.dataTransfer.dropEffect = "copy";
-    this.over = true;
+    if (!this.locked && isDropOver(event)) this.over = true;
   }
 
   /** One file is meant for this pad; what comes with more is for the page to share out. */
   private drop(event: DragEvent): void {
     this.over = false;
-    const files = event.dataTransfer?.files;
-    if (this.locked || files?.length !== 1 || !files[0]!.type.startsWith("image/")) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.give(files[0]);
+    const file = this.locked ? null : droppedPicture(event);
+    if (file) this.give(file);
   }
 
   private openMenu(): void {

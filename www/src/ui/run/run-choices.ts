@@ -3,9 +3,9 @@ import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
 import { Part } from "../../view/part";
-import { segmented, segmentedStyle } from "../shared/segmented";
-import { WORDS } from "../settings/setting-words";
+import { segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
+import { settingChoice } from "./setting-choice";
 
 const BENDS: Readonly<Record<string, string>> = {
   none: "The drawings stay exactly as they are",
@@ -36,24 +36,12 @@ export class RunChoices extends Part {
 
   override render() {
     return html`
-      ${this.choice("preset", "best")}
+      ${settingChoice(this.studio, this.state, "preset", "best")}
       <div>
-        ${this.choice("bend", "little")}
+        ${settingChoice(this.studio, this.state, "bend", "little")}
         <p class="small quiet">${this.outlook()}</p>
       </div>
     `;
-  }
-
-  private choice(name: "preset" | "bend", usual: string) {
-    const { label, choices = {} } = WORDS[name]!;
-    return segmented({
-      legend: label,
-      name,
-      options: Object.entries(choices).map(([value, words]) => ({ value, words })),
-      value: this.studio.options.value(name) || usual,
-      locked: this.state.phase !== "idle",
-      choose: (value) => this.studio.options.set(name, value),
-    });
   }
 
   /** What the chosen bend means, and comes to as far as that is known before the fit. */

@@ -3,11 +3,11 @@ import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
-import { WORDS } from "../settings/setting-words";
-import { segmented, segmentedStyle } from "../shared/segmented";
+import { segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
 import "../shared/two-ended";
 import type { Ends } from "../shared/two-ended";
+import { settingChoice } from "./setting-choice";
 
 /** Ends and step of the sliders; the settings themselves go further. */
 const POINTS = [40, 400, 10] as const;
@@ -82,16 +82,8 @@ export class StrokeChoices extends Part {
   ];
 
   override render() {
-    const { label, choices = {} } = WORDS["preset"]!;
     return html`
-      ${segmented({
-        legend: label,
-        name: "preset",
-        options: Object.entries(choices).map(([value, words]) => ({ value, words })),
-        value: this.studio.options.value("preset") || "best",
-        locked: this.locked,
-        choose: (value) => this.studio.options.set("preset", value),
-      })}
+      ${settingChoice(this.studio, this.state, "preset", "best")}
       ${this.abstraction()} ${this.widths()}
     `;
   }

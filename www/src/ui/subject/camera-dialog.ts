@@ -1,6 +1,7 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
+import { dialogStyle } from "../shared/dialog-style";
 import { controls } from "../shared/shared";
 import { tell } from "./subject-events";
 
@@ -22,19 +23,10 @@ export class CameraDialog extends LitElement {
 
   static override styles = [
     controls,
+    dialogStyle,
     css`
       dialog {
         width: min(640px, calc(100vw - 32px));
-        max-height: calc(100dvh - 32px);
-        padding: 0;
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        background: var(--raised);
-        color: var(--ink);
-        box-shadow: var(--shadow);
-      }
-      dialog::backdrop {
-        background: rgb(20 16 12 / 45%);
       }
       .all {
         display: grid;

@@ -85,26 +85,6 @@ export const padStyle = css`
     font-weight: 600;
     pointer-events: none;
   }
-  .problem {
-    position: absolute;
-    inset-inline: 0;
-    inset-block-end: 0;
-    max-height: 100%;
-    margin: 0;
-    padding: 8px;
-    padding-inline-end: 40px;
-    overflow: auto;
-    border-block-start: 2px solid var(--error);
-    background: var(--raised);
-    color: var(--error);
-    overflow-wrap: anywhere;
-  }
-  .problem button {
-    position: absolute;
-    inset-block-start: 0;
-    inset-inline-end: 0;
-    min-height: 40px;
-  }
   .tools {
     display: grid;
     grid-template-columns: repeat(3, minmax(0, 1fr));

@@ -6,6 +6,7 @@ import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
+import { droppedPicture, isDropOver, problemOver } from "../shared/drop";
 import { controls } from "../shared/shared";
 import { padStyle } from "./pad-style";
 import { tell } from "./subject-events";
@@ -35,7 +36,7 @@ export class SubjectPad extends Part {
   @query("#depth-file") private depthFile!: HTMLInputElement;
   private readonly hasCamera = "mediaDevices" in navigator;
 
-  static override styles = [controls, segmentedStyle, foldStyle, padStyle];
+  static override styles = [controls, segmentedStyle, foldStyle, problemOver, padStyle];
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     // The same may go wrong twice.
@@ -214,19 +215,13 @@ export class SubjectPad extends Part {
   }
 
   private dragOver(event: DragEvent): void {
-    if (this.locked || !event.dataTransfer?.types.includes("Files")) return;
-    event.preventDefault();
-    event.dataTransfer.dropEffect = "copy";
-    this.over = true;
+    if (!this.locked && isDropOver(event)) this.over = true;
   }
 
   /** One picture is meant for this pad; all else is for the page to see to. */
   private drop(event: DragEvent): void {
     this.over = false;
-    const files = event.dataTransfer?.files;
-    if (this.locked || files?.length !== 1 || !files[0]!.type.startsWith("image/")) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.give(files[0]!);
+    const file = this.locked ? null : droppedPicture(event);
+    if (file) this.give(file);
   }
 }

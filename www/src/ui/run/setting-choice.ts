@@ -1,0 +1,18 @@
+/** A setting of few words, as a row of them. */
+
+import type { Studio, StudioState } from "../../state/studio";
+import { WORDS } from "../settings/setting-words";
+import { segmented } from "../shared/segmented";
+
+/** `usual` is shown until the core has told its settings. */
+export function settingChoice(studio: Studio, { phase }: StudioState, name: string, usual: string) {
+  const { label, choices = {} } = WORDS[name]!;
+  return segmented({
+    legend: label,
+    name,
+    options: Object.entries(choices).map(([value, words]) => ({ value, words })),
+    value: studio.options.value(name) || usual,
+    locked: phase !== "idle",
+    choose: (value) => studio.options.set(name, value),
+  });
+}
