@@ -1,6 +1,10 @@
 //! Every setting there is, once: name, group, unit, range, default and one line of help. The command line's flags, the
 //! page's controls, the saved file and the link are all made from [`TABLE`], so they cannot drift apart.
 
+mod task;
+
+pub use task::Task;
+
 use crate::{Error, Result, start, view::Polarity, wire::Form};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -346,76 +350,6 @@ settings! {
     new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS };
     Expert /// Voxels along each side of the grid in which the first wire grows.
     grid: usize = 128, "voxels", Integer { min: 16, max: 160 };
-}
-
-/// A task with settings of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Task {
-    /// Drawings for several sides.
-    Multiview,
-    /// One picture.
-    Stroke,
-}
-
-impl Task {
-    /// The settings it has, in the order people should see them, with the choices that it has.
-    pub fn rows(self) -> impl Iterator<Item = Setting> {
-        TABLE.iter().filter_map(move |row| match (self, self.choices(row.name)) {
-            (_, Some(choices)) => Some(Setting { kind: Choice { choices }, ..*row }),
-            (Task::Multiview, None) => (row.group != Group::Stroke).then_some(*row),
-            (Task::Stroke, None) => (row.group != Group::Views).then_some(*row),
-        })
-    }
-
-    /// The choices it has where they are not the table's. One picture has nothing to agree with: only that can be said.
-    fn choices(self, name: &str) -> Option<&'static [&'static str]> {
-        match (self, name) {
-            (Task::Multiview, "start") => Some(&["tree", "hull", "ball"]),
-            (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
-            (Task::Stroke, "arrange") => Some(&["off"]),
-            (Task::Stroke, "bend") => Some(&["none"]),
-            _ => None,
-        }
-    }
-
-    /// Refuses values out of range, and choices of another task.
-    ///
-    /// # Errors
-    /// As [`Settings::check`], and [`Error::Setting`] for a choice that this task does not have.
-    pub fn check(self, settings: &Settings) -> Result<()> {
-        settings.check()?;
-        let values = settings.to_texts();
-        for name in ["start", "arrange", "bend"] {
-            let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
-            if !choices.contains(&value.as_str()) {
-                let problem = format!("{value:?} is for another kind of task");
-                return Err(Error::setting(name, problem, format!("give {}", choices.join(" or "))));
-            }
-        }
-        Ok(())
-    }
-
-    /// Its settings of a preset.
-    pub fn preset(self, preset: Preset) -> Settings {
-        self.presets()(preset)
-    }
-
-    /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
-    ///
-    /// # Errors
-    /// As [`Settings::set`] and [`Task::check`].
-    pub fn settings<'a>(self, pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
-        let settings = Settings::from_pairs_over(self.presets(), pairs)?;
-        self.check(&settings)?;
-        Ok(settings)
-    }
-
-    fn presets(self) -> fn(Preset) -> Settings {
-        match self {
-            Task::Multiview => Settings::preset,
-            Task::Stroke => Settings::stroke_preset,
-        }
-    }
 }
 
 impl Settings {

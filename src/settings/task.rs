@@ -1,0 +1,105 @@
+//! What each task has of the table: which settings, which of their choices, and which presets.
+
+use super::{Group, Kind, Preset, Setting, Settings, TABLE};
+use crate::{Error, Result};
+
+/// A task with settings of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Task {
+    /// Drawings for several sides.
+    Multiview,
+    /// One picture.
+    Stroke,
+}
+
+impl Task {
+    /// The settings it has, in the order people should see them, with the choices that it has.
+    pub fn rows(self) -> impl Iterator<Item = Setting> {
+        TABLE.iter().filter_map(move |row| match (self, self.choices(row.name)) {
+            (_, Some(choices)) => Some(Setting { kind: Kind::Choice { choices }, ..*row }),
+            (Task::Multiview, None) => (row.group != Group::Stroke).then_some(*row),
+            (Task::Stroke, None) => (row.group != Group::Views).then_some(*row),
+        })
+    }
+
+    /// The choices it has where they are not the table's. One picture has nothing to agree with: only that can be said.
+    fn choices(self, name: &str) -> Option<&'static [&'static str]> {
+        match (self, name) {
+            (Task::Multiview, "start") => Some(&["tree", "hull", "ball"]),
+            (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
+            (Task::Stroke, "arrange") => Some(&["off"]),
+            (Task::Stroke, "bend") => Some(&["none"]),
+            _ => None,
+        }
+    }
+
+    /// Refuses values out of range, and choices of another task.
+    ///
+    /// # Errors
+    /// As [`Settings::check`], and [`Error::Setting`] for a choice that this task does not have.
+    pub fn check(self, settings: &Settings) -> Result<()> {
+        settings.check()?;
+        let values = settings.to_texts();
+        for name in ["start", "arrange", "bend"] {
+            let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
+            if !choices.contains(&value.as_str()) {
+                let problem = format!("{value:?} is for another kind of task");
+                return Err(Error::setting(name, problem, format!("give {}", choices.join(" or "))));
+            }
+        }
+        Ok(())
+    }
+
+    /// Its settings of a preset.
+    pub fn preset(self, preset: Preset) -> Settings {
+        self.presets()(preset)
+    }
+
+    /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
+    ///
+    /// # Errors
+    /// As [`Settings::set`] and [`Task::check`].
+    pub fn settings<'a>(self, pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
+        let settings = Settings::from_pairs_over(self.presets(), pairs)?;
+        self.check(&settings)?;
+        Ok(settings)
+    }
+
+    fn presets(self) -> fn(Preset) -> Settings {
+        match self {
+            Task::Multiview => Settings::preset,
+            Task::Stroke => Settings::stroke_preset,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tasks_share_settings_but_not_all_of_their_choices() {
+        let of = |task: Task, name: &str| task.rows().find(|row| row.name == name).map(|row| row.kind);
+        assert_eq!(of(Task::Multiview, "hatch"), None);
+        assert_eq!(of(Task::Stroke, "may_swap"), None);
+        assert_eq!(of(Task::Stroke, "size"), of(Task::Multiview, "size"));
+        assert_ne!(of(Task::Stroke, "start"), of(Task::Multiview, "start"));
+        for task in [Task::Multiview, Task::Stroke] {
+            for &preset in Preset::ALL {
+                task.check(&task.preset(preset)).unwrap();
+            }
+        }
+    }
+
+    #[test]
+    fn a_choice_of_another_task_is_refused_and_the_own_ones_named() {
+        let refused = |task: Task, name, value| match task.settings([(name, value)]) {
+            Err(Error::Setting { name: named, remedy, .. }) => (named, remedy),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(refused(Task::Stroke, "start", "tree"), ("start".into(), "give contour or hull or ball".into()));
+        assert_eq!(refused(Task::Multiview, "start", "contour"), ("start".into(), "give tree or hull or ball".into()));
+        assert_eq!(refused(Task::Stroke, "bend", "free"), ("bend".into(), "give none".into()));
+        assert!(Task::Stroke.settings([("bend", "none"), ("arrange", "off"), ("start", "ball")]).is_ok());
+    }
+}
