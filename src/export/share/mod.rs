@@ -139,6 +139,8 @@ fn knot_code(wire: &Wire) -> KnotCode {
         true => 1 + (halvings(width) * per_octave as f64).round() as i64,
         false => 0,
     };
+    // In single precision: what opening sums up again differs in the last bits, and sharing that must give the same code.
+    let longest = f64::from(longest as f32);
     KnotCode { start: domain[0], longest, per_octave, intervals: widths.iter().map(interval).collect() }
 }
 
