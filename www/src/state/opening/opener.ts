@@ -88,6 +88,7 @@ export class Opener {
     if (this.tooLate("stroke")) return;
     this.bench.project.amend((doc) => (untouched(doc, "stroke") ? { ...doc, subject } : doc));
     this.asItCame("stroke", subject);
+    this.seeking(true);
     await this.code(code, "stroke", { source: "example", measured });
     await this.findIn(subject);
   }
@@ -98,10 +99,19 @@ export class Opener {
     const picture = await pixelsOf(subject.picture);
     // Where there is no core, that is said elsewhere.
     const found = await engine.call("find", { picture, object: 1 }).catch(() => null);
-    if (!found || this.bench.doc.subject !== subject || this.bench.busy) return;
+    // Whoever gave another picture meanwhile is waiting for that one.
+    if (this.bench.doc.subject !== subject) return;
+    this.seeking(false);
+    if (!found || this.bench.busy) return;
     const shown = { ...subject, found };
     project.amend((doc) => (doc.subject === subject ? { ...doc, subject: shown } : doc));
     this.asItCame("stroke", shown);
+  }
+
+  /** Whether the object is being looked for, so that nobody hears it was not found. */
+  private seeking(busy: boolean): void {
+    const { store } = this.bench;
+    store.set({ sitting: { ...store.get().sitting, busy } });
   }
 
   /** Whether the person was quicker. */
