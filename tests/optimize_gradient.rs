@@ -78,9 +78,11 @@ fn the_gradient_of_an_iteration_agrees_with_differences_of_its_loss() {
     let mut perspective = targets_of(&truth, 96);
     perspective[1].view.projection = Projection::Perspective { fov_y_rad: 0.7 };
     let start = perturbed(&truth, 0.15, 8);
+    // Where two ends lie on each other the loss has a kink, and no difference tells its slope.
+    let bag = perturbed(&start.to_form(Form::Bag).unwrap(), 0.1, 9);
     for (wire, pyramid) in [
         (start.clone(), Pyramid::Gaussian),
-        (start.to_form(Form::Bag).unwrap(), Pyramid::AveragePool),
+        (bag, Pyramid::AveragePool),
         (Wire::closed_uniform(start.control_points().to_vec()).unwrap(), Pyramid::Gaussian),
     ] {
         let scene = || scene(&wire, &perspective, RasterKind::Exact, pyramid);
