@@ -47,12 +47,12 @@ pub trait Job: Sized {
     fn complete(&self, _result: &mut ResultReport, _made: &Sculpture, _run: &Run<Self>) {}
 
     /// After how many iterations other views are fitted; 0 keeps the first ones.
-    fn change_views_every(&self) -> usize {
+    fn change_views_every(&self, _settings: &Settings) -> usize {
         0
     }
 
     /// What is fitted from iteration `iteration` on, where views change.
-    fn targets_from(&self, _iteration: usize) -> Vec<Target> {
+    fn targets_from(&self, _iteration: usize, _settings: &Settings) -> Vec<Target> {
         self.targets().to_vec()
     }
 }
@@ -93,13 +93,13 @@ impl<J: Job> Run<J> {
 
     /// Changes the views if that is due, and says for how many iterations they stay.
     fn look(&mut self) -> usize {
-        let every = self.job.change_views_every();
+        let every = self.job.change_views_every(&self.settings);
         if every == 0 {
             return usize::MAX;
         }
         let iteration = self.session.iteration();
         if iteration > 0 && iteration.is_multiple_of(every) {
-            let kept = self.session.set_targets(self.job.targets_from(iteration));
+            let kept = self.session.set_targets(self.job.targets_from(iteration, &self.settings));
             debug_assert!(kept.is_ok(), "{kept:?}");
         }
         every - iteration % every

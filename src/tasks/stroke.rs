@@ -312,7 +312,6 @@ pub type Run = super::Run<Job>;
 pub struct Job {
     plan: Plan,
     first: Wire,
-    settings: Settings,
 }
 
 impl super::Job for Job {
@@ -341,12 +340,12 @@ impl super::Job for Job {
         }
     }
 
-    fn change_views_every(&self) -> usize {
-        self.settings.new_sides
+    fn change_views_every(&self, settings: &Settings) -> usize {
+        settings.new_sides
     }
 
-    fn targets_from(&self, iteration: usize) -> Vec<Target> {
-        self.plan.fitted(&self.first, iteration, &self.settings)
+    fn targets_from(&self, iteration: usize, settings: &Settings) -> Vec<Target> {
+        self.plan.fitted(&self.first, iteration, settings)
     }
 }
 
@@ -367,7 +366,7 @@ impl Run {
         let engine = engine(settings.backend).await?;
         let first = plan.first_wire(settings)?;
         let session = Session::with_engine(plan.problem(first.clone(), &first, 0, settings), engine)?;
-        Ok(Run::new(Job { plan, first, settings: settings.clone() }, settings, session))
+        Ok(Run::new(Job { plan, first }, settings, session))
     }
 
     /// Goes on from a checkpoint of a run of the same picture: with the same settings bit for bit as if it had never been
@@ -389,6 +388,6 @@ impl Run {
         let first = plan.first_wire(settings)?;
         let problem = plan.problem(saved.wire().clone(), &first, saved.iteration(), settings);
         let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
-        Ok(Run::new(Job { plan, first, settings: settings.clone() }, settings, session))
+        Ok(Run::new(Job { plan, first }, settings, session))
     }
 }
