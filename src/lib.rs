@@ -20,6 +20,7 @@ pub mod error;
 pub mod files;
 pub mod rng;
 
+pub mod mesh;
 pub mod raster;
 pub mod view;
 pub mod wire;

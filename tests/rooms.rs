@@ -9,6 +9,7 @@ const ORDER: &[&str] = &[
     "rng",
     "wire",
     "view",
+    "mesh",
     "raster",
     "objective",
     "start",
