@@ -24,6 +24,8 @@ pub enum Group {
     Fit,
     /// One picture: the solid behind it and what the wire draws of it.
     Stroke,
+    /// A mesh: how the wire covers it, and in which style.
+    Surface,
     /// For people who know the method.
     Expert,
 }
@@ -114,6 +116,10 @@ choices! {
         Hull = "hull",
         /// Points in a ball, joined by a short tour (the paper's).
         Ball = "ball",
+        /// Parallel lines over a mesh, stitched into one.
+        Stripes = "stripes",
+        /// Points spread over a mesh, joined by a short tour.
+        Tour = "tour",
     }
     /// What the front of one picture's wire should show.
     Shading {
@@ -130,6 +136,33 @@ choices! {
         Contours = "contours",
         /// Across it: each goes round the solid like the edge of a slice.
         Slices = "slices",
+    }
+    /// Which way the lines run that cover a mesh.
+    Flow {
+        /// Wherever they stay parallel best.
+        Smooth = "smooth",
+        /// Up and down.
+        Along = "along",
+        /// Round it.
+        Across = "across",
+        /// Along the strokes of the style's picture.
+        Style = "style",
+    }
+    /// How a picture is laid on a mesh.
+    Motif {
+        /// Not at all.
+        Off = "off",
+        /// From six sides, repeated.
+        Box = "box",
+        /// Once, from the front.
+        Front = "front",
+    }
+    /// From where a mesh is looked at during the fit.
+    Looks {
+        /// From five sides, each a little turned every time.
+        Sides = "sides",
+        /// From anywhere.
+        Sphere = "sphere",
     }
     /// How far the drawings may bend to agree with each other.
     Bend {
@@ -334,6 +367,33 @@ settings! {
     Stroke /// Weight of all those sides together; the front's is 1.
     side_weight: f64 = 0.4, "times", Number { min: 0.0, max: 16.0 };
 
+    Surface /// From line to line on the surface; the mesh fits a ball of radius 1.
+    curve_spacing: f64 = 0.06, "world units", Number { min: 0.02, max: 0.2 };
+    Surface /// Which way the lines run: smooth, along the upright, across it, or along the style's strokes.
+    flow: Flow = Flow::Smooth, "", Choice { choices: Flow::WORDS };
+    Surface /// How much of the surface is ink.
+    density: f64 = 0.5, "of 1", Number { min: 0.1, max: 1.0 };
+    Surface /// How strongly the style bends and thickens the wire: 0 not at all.
+    style_strength: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 };
+    Surface /// Side of the style's picture on the surface.
+    style_size: f64 = 0.9, "world units", Number { min: 0.1, max: 4.0 };
+    Surface /// How the style's picture is laid on the surface: box from six sides, front once; off only asks for its texture.
+    motif: Motif = Motif::Box, "", Choice { choices: Motif::WORDS };
+    Surface /// Draw lines on the far side too.
+    hidden_lines: bool = false, "", Switch;
+    Surface /// From where the wire is looked at: five sides a little turned each time, or anywhere.
+    looks: Looks = Looks::Sides, "", Choice { choices: Looks::WORDS };
+    Surface /// How many views each step looks through.
+    views_at_once: usize = 2, "views", Integer { min: 1, max: 16 };
+    Surface /// How far each look may turn from its side.
+    jitter: f64 = 20.0, "degrees", Number { min: 0.0, max: 45.0 };
+    Surface /// How suddenly a line vanishes behind the surface.
+    visibility: f64 = 60.0, "a world unit", Number { min: 1.0, max: 1000.0 };
+    Surface /// How far behind the surface a line is half seen.
+    visibility_bias: f64 = 0.05, "world units", Number { min: 0.0, max: 0.5 };
+    Surface /// How strongly the wire is held to the surface.
+    surface_pull: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
+
     Expert /// Step size for positions, in pixels of a 128 px picture.
     position_rate: f64 = 0.8, "px at 128", Number { min: 1e-4, max: 10.0 };
     Expert /// Step size for widths, in pixels of a 128 px picture.
@@ -401,6 +461,41 @@ impl Settings {
             Preset::Fast => Settings { iterations: 120, spacing: 6.0, hatch: 16.0, side_views: 4, ..best },
             // Refined once, 120 control points become 220.
             Preset::Paper => Settings { control_points: 120, start: Start::Hull, shading: Shading::Grey, ..several },
+        }
+    }
+
+    /// The settings of a preset for covering a mesh.
+    pub fn fill_preset(preset: Preset) -> Settings {
+        let several =
+            Settings { start: Start::Stripes, bend: Bend::None, arrange: OnOff::Off, ..Settings::preset(preset) };
+        // Lines lie evenly on the surface already; they are to be bent a little and made thicker and thinner.
+        let best = Settings {
+            iterations: 300,
+            min_width: 0.6,
+            max_width: 7.0,
+            position_rate: 0.2,
+            width_rate: 0.1,
+            coarse_share: 0.0,
+            samples: 4,
+            level_weight: 1.0,
+            ..several.clone()
+        };
+        match preset {
+            Preset::Best => best,
+            Preset::Fast => Settings { iterations: 120, size: 192, views_at_once: 1, ..best },
+            Preset::Paper => Settings {
+                iterations: 251,
+                control_points: 1100,
+                density: 0.6,
+                min_width: 0.0,
+                max_width: 8.7,
+                motif: Motif::Off,
+                views_at_once: 1,
+                position_rate: 0.25,
+                reinit: false,
+                refine: false,
+                ..several
+            },
         }
     }
 

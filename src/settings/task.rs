@@ -10,6 +10,8 @@ pub enum Task {
     Multiview,
     /// One picture.
     Stroke,
+    /// A mesh.
+    Fill,
 }
 
 impl Task {
@@ -17,18 +19,28 @@ impl Task {
     pub fn rows(self) -> impl Iterator<Item = Setting> {
         TABLE.iter().filter_map(move |row| match (self, self.choices(row.name)) {
             (_, Some(choices)) => Some(Setting { kind: Kind::Choice { choices }, ..*row }),
-            (Task::Multiview, None) => (row.group != Group::Stroke).then_some(*row),
-            (Task::Stroke, None) => (row.group != Group::Views).then_some(*row),
+            (_, None) => self.has(row).then_some(*row),
         })
     }
 
-    /// The choices it has where they are not the table's. One picture has nothing to agree with: only that can be said.
+    fn has(self, row: &Setting) -> bool {
+        match (self, row.group) {
+            (_, Group::Run | Group::Wire | Group::Fit | Group::Expert) => true,
+            (Task::Multiview, group) => group == Group::Views,
+            (Task::Stroke, group) => group == Group::Stroke,
+            (Task::Fill, group) => group == Group::Surface,
+        }
+    }
+
+    /// The choices it has where they are not the table's. Where there is nothing to agree with, only that
+    /// can be said.
     fn choices(self, name: &str) -> Option<&'static [&'static str]> {
         match (self, name) {
             (Task::Multiview, "start") => Some(&["tree", "hull", "ball"]),
             (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
-            (Task::Stroke, "arrange") => Some(&["off"]),
-            (Task::Stroke, "bend") => Some(&["none"]),
+            (Task::Fill, "start") => Some(&["stripes", "tour"]),
+            (Task::Stroke | Task::Fill, "arrange") => Some(&["off"]),
+            (Task::Stroke | Task::Fill, "bend") => Some(&["none"]),
             _ => None,
         }
     }
@@ -69,6 +81,7 @@ impl Task {
         match self {
             Task::Multiview => Settings::preset,
             Task::Stroke => Settings::stroke_preset,
+            Task::Fill => Settings::fill_preset,
         }
     }
 }
@@ -81,10 +94,12 @@ mod tests {
     fn tasks_share_settings_but_not_all_of_their_choices() {
         let of = |task: Task, name: &str| task.rows().find(|row| row.name == name).map(|row| row.kind);
         assert_eq!(of(Task::Multiview, "hatch"), None);
+        assert_eq!(of(Task::Stroke, "density"), None);
+        assert!(of(Task::Fill, "density").is_some());
         assert_eq!(of(Task::Stroke, "may_swap"), None);
         assert_eq!(of(Task::Stroke, "size"), of(Task::Multiview, "size"));
         assert_ne!(of(Task::Stroke, "start"), of(Task::Multiview, "start"));
-        for task in [Task::Multiview, Task::Stroke] {
+        for task in [Task::Multiview, Task::Stroke, Task::Fill] {
             for &preset in Preset::ALL {
                 task.check(&task.preset(preset)).unwrap();
             }

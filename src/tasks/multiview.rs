@@ -230,7 +230,7 @@ impl Plan {
     ) -> Result<Path> {
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
-            Start::Tree | Start::Contour => {
+            Start::Tree | Start::Contour | Start::Stripes | Start::Tour => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
                 let trail = TrailOptions { shorter: settings.shorter, ..TrailOptions::default() };
                 start::tree_path(targets, *half_extents_world, &tree, &trail, progress)

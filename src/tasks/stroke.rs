@@ -236,7 +236,9 @@ impl Plan {
                 }
             }
             // The points of the tour are the control points (the paper's choice).
-            Start::Hull | Start::Tree => Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?,
+            Start::Hull | Start::Tree | Start::Stripes | Start::Tour => {
+                Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?
+            }
             Start::Ball => Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
@@ -260,7 +262,7 @@ impl Plan {
                 let lines = render_sampled(first, view, SIDE_SAMPLES);
                 ink.data.iter_mut().zip(&lines.data).for_each(|(ink, line)| *ink = ink.min(*line));
             }
-            Start::Tree | Start::Hull | Start::Ball => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
+            _ => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
         }
         if settings.creases > 0.0 {
             let creases = self.solid.creases(view, CREASE_PX * view.height_px as f64 / 256.0);

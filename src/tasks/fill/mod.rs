@@ -1,0 +1,383 @@
+//! One curve over a mesh, bent and thickened by a style.
+//!
+//! [`plan`] covers the mesh with one closed curve; [`Run::start`] fits a wire of even width to it; the fit then looks at it
+//! from other views every step. Each view asks for as much ink on the mesh's silhouette as the density says (the paper's
+//! `α · mask`), more of it where the style's picture, laid on the surface, is dark, and for the texture of that picture.
+//! Strands behind the surface are not seen, and all are held to it, so that what is seen and what is not stays clear.
+
+mod looks;
+mod motif;
+
+use super::engine::engine;
+use super::fit::recipe;
+use super::run::{Placed, Seen};
+use super::saved::SavedRun;
+use crate::mesh::{Depths, Mended, Mesh, Nearest};
+use crate::metrics::{Evenness, ResultReport, SurfaceReport};
+use crate::objective::{Texture, TextureOptions, crop_weights};
+use crate::optimize::{Problem, Session, Surface, WidthBounds, wait};
+use crate::rng::Rng;
+use crate::sculpture::{Sculpture, render_seen};
+use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
+use crate::start::{self, FillOptions, Filling, Guide, Method};
+use crate::view::{Image, Occluder, Target, View};
+use crate::wire::{Form, Wire};
+use crate::{Error, Result};
+use motif::Motif;
+use std::sync::Arc;
+
+/// What a person gives.
+#[derive(Debug, Clone)]
+pub struct Given {
+    /// The mesh as the person knows it.
+    pub name: String,
+    /// The surface.
+    pub mesh: Arc<Mesh>,
+    /// What was mended about it, in plain words.
+    pub notes: Vec<String>,
+    /// What it should look like.
+    pub style: Option<Style>,
+}
+
+/// A picture whose look the wire should take on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Style {
+    /// Its name as the person knows it.
+    pub name: String,
+    /// Ink, 0 (ground) to 1 (ink).
+    pub ink: Image,
+    /// Whether its borders meet when it is repeated.
+    pub tiles: bool,
+}
+
+/// The curve and what it should show, before anything is fitted.
+pub struct Plan {
+    name: String,
+    mesh: Arc<Mesh>,
+    nearest: Arc<Nearest>,
+    motif: Option<Motif>,
+    texture: Option<Arc<Texture>>,
+    filling: Filling,
+    /// What the report compares with: the five sides.
+    targets: Vec<Target>,
+    occluders: Vec<Occluder>,
+    notes: Vec<String>,
+}
+
+/// Path between two control points of the first wire, as shares of the lines' distance: the first that is fine enough.
+const PATHS_PER_POINT: [f64; 4] = [1.7, 1.3, 1.0, 0.7];
+/// The wire may be off the curve by this share of the lines' distance.
+const FIT_TOLERANCE: f64 = 0.1;
+/// Weight of the smoothing in that fit.
+const FIT_SMOOTHING: f64 = 1e-6;
+/// Most control points of the first wire: more are no better seen.
+const MOST_POINTS: usize = 16_000;
+/// Least and most ink of a style's blank and inked places, as shares of the density.
+const TONES: [f64; 2] = [0.2, 1.8];
+/// Crops of a view in which its texture is looked at, and their side as a share of the view's.
+const CROPS: (usize, f64) = (6, 0.4);
+/// Weight of the texture next to the pictures' at full strength.
+const TEXTURE_WEIGHT: f64 = 0.05;
+/// Iterations after which the surface's tangent planes are taken anew.
+const PLANES_EVERY: usize = 10;
+
+impl Given {
+    /// A mesh from a file.
+    pub fn mended(name: &str, mended: Mended) -> Given {
+        Given { name: name.to_owned(), mesh: Arc::new(mended.mesh), notes: mended.notes, style: None }
+    }
+}
+
+/// Covers the mesh. `progress` is told how much is done, 0 to 1, and stops it by returning false.
+///
+/// # Errors
+/// [`Error::Setting`] for a spacing too fine for this mesh, [`Error::Picture`] for a style that shows nothing.
+pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Plan> {
+    Task::Fill.check(settings)?;
+    let motif = given.style.as_ref().map(|style| Motif::new(style, settings));
+    let filling = start::fill(&given.mesh, &fill_options(motif.as_ref(), settings), progress)?;
+    let strength = settings.style_strength;
+    let texture = match &given.style {
+        Some(style) if strength > 0.0 => Some(Arc::new(texture(style, settings)?)),
+        _ => None,
+    };
+    let mut plan = Plan {
+        name: given.name.clone(),
+        mesh: Arc::clone(&given.mesh),
+        nearest: Arc::new(Nearest::new(&given.mesh)),
+        motif,
+        texture,
+        notes: given.notes.iter().chain(&filling.notes).cloned().collect(),
+        filling,
+        targets: Vec::new(),
+        occluders: Vec::new(),
+    };
+    let Seen { targets, occluders, .. } = plan.seen(looks::sides(settings.size), settings);
+    (plan.targets, plan.occluders) = (targets, occluders);
+    Ok(plan)
+}
+
+fn fill_options<'a>(motif: Option<&'a Motif>, settings: &Settings) -> FillOptions<'a> {
+    let upright = [0.0, 1.0, 0.0];
+    let guide = match (settings.flow, motif) {
+        (Flow::Along, _) => Guide::Along(upright),
+        (Flow::Across, _) => Guide::Across(upright),
+        (Flow::Style, Some(motif)) => Guide::Directions(Box::new(move |point, normal| motif.along(point, normal))),
+        (Flow::Smooth | Flow::Style, _) => Guide::Smooth,
+    };
+    let method = if settings.start == Start::Tour { Method::Tour } else { Method::Stripes };
+    FillOptions { spacing_world: settings.curve_spacing, guide, method, seed: settings.seed }
+}
+
+/// World units in a pixel of a view, at the origin.
+fn world_per_px(settings: &Settings) -> f64 {
+    let view = &looks::sides(settings.size)[0];
+    1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
+}
+
+fn width_bounds(settings: &Settings) -> WidthBounds {
+    let px = world_per_px(settings) * settings.size as f64 / 256.0;
+    WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px }
+}
+
+fn texture(style: &Style, settings: &Settings) -> Result<Texture> {
+    let side_px = settings.style_size / world_per_px(settings);
+    Texture::of(&style.name, &style.ink, &TextureOptions { side_px, ..TextureOptions::default() })
+}
+
+impl Plan {
+    /// What a person should know before the run, in plain words.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// The curve that covers the mesh.
+    pub fn filling(&self) -> &Filling {
+        &self.filling
+    }
+
+    /// The surface that it covers.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// What the five sides should show.
+    pub fn targets(&self) -> &[Target] {
+        &self.targets
+    }
+
+    /// What view `view` of the targets shows of a wire: without what lies behind the surface, unless the settings say so.
+    pub fn render(&self, wire: &Wire, view: usize, settings: &Settings) -> Image {
+        let occluder = (!settings.hidden_lines).then(|| &self.occluders[view]);
+        render_seen(wire, &self.targets[view].view, occluder)
+    }
+
+    /// What views should show, and the surface that hides what is behind it.
+    fn seen(&self, views: Vec<View>, settings: &Settings) -> Seen {
+        let seen = in_parallel(&views, |view| {
+            let depths = Depths::render(&self.mesh, view);
+            let mut ink = depths.shade(|point, normal| self.wanted(point, normal, settings) as f32);
+            let silhouette = depths.silhouette();
+            ink.data.iter_mut().zip(&silhouette.data).for_each(|(ink, inside)| *ink *= inside);
+            let occluder = Occluder {
+                depth: depths.widened(),
+                steepness: settings.visibility as f32,
+                bias_world: settings.visibility_bias as f32,
+            };
+            (Target { view: view.clone(), ink }, occluder, silhouette)
+        });
+        let mut all = Seen::default();
+        for (target, occluder, silhouette) in seen {
+            all.targets.push(target);
+            all.occluders.push(occluder);
+            all.texture_masks.push(silhouette);
+        }
+        all
+    }
+
+    /// How much ink a place should have, 0 to 1.
+    fn wanted(&self, point: &[f64; 3], normal: &[f64; 3], settings: &Settings) -> f64 {
+        let style = match &self.motif {
+            Some(motif) if settings.motif != Laid::Off => {
+                let [least, most] = TONES;
+                let strength = settings.style_strength;
+                1.0 - strength + strength * (least + (most - least) * motif.tone(point, normal))
+            }
+            _ => 1.0,
+        };
+        (settings.density * style).min(1.0)
+    }
+
+    /// What iteration `iteration` looks at.
+    fn looked_at(&self, iteration: usize, settings: &Settings) -> Seen {
+        let mut seen = self.seen(looks::drawn(iteration, settings), settings);
+        if self.texture.is_none() {
+            seen.texture_masks.clear();
+        }
+        let (count, share) = CROPS;
+        let side_px = (share * settings.size as f64) as usize;
+        for (k, mask) in seen.texture_masks.iter_mut().enumerate() {
+            let mut rng = Rng::new(settings.seed, 0x6372_6f70_0000_0000 + (iteration * 64 + k) as u64);
+            *mask = crop_weights(mask, count, side_px, &mut rng);
+        }
+        seen
+    }
+
+    /// A wire of even width along the curve.
+    fn first_wire(&self, settings: &Settings) -> Result<Wire> {
+        let WidthBounds { min_world, max_world } = width_bounds(settings);
+        let width = (settings.density * settings.curve_spacing).clamp(min_world, max_world);
+        let mut path = self.filling.path.clone();
+        path.points.iter_mut().for_each(|point| point[3] = width);
+        let wire = match settings.control_points {
+            0 => self.fitted(&path, settings.curve_spacing)?,
+            count => start::fitted(&path, count, FIT_SMOOTHING)?,
+        };
+        if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
+    }
+
+    /// With as few control points as stay close to the curve.
+    fn fitted(&self, path: &start::Path, spacing: f64) -> Result<Wire> {
+        let length = start::length(path);
+        let mut found = None;
+        for share in PATHS_PER_POINT {
+            let count = ((length / (share * spacing)).round() as usize).clamp(8, MOST_POINTS);
+            let wire = start::fitted(path, count, FIT_SMOOTHING)?;
+            let error = start::fit_error(path, &wire);
+            found = Some(wire);
+            if error <= FIT_TOLERANCE * spacing || count == MOST_POINTS {
+                break;
+            }
+        }
+        found.ok_or_else(|| Error::wire(&self.name, "there is no curve on it", "give a larger surface"))
+    }
+
+    /// The fit of `wire` from iteration `iteration` on.
+    fn problem(&self, wire: Wire, iteration: usize, settings: &Settings) -> Problem {
+        let Seen { targets, occluders, texture_masks } = self.looked_at(iteration, settings);
+        let share = 1.0 / targets.len() as f64;
+        Problem {
+            view_weights: vec![share; targets.len()],
+            width: width_bounds(settings),
+            seed: settings.seed,
+            occluders,
+            texture: self.texture.clone(),
+            texture_weight: TEXTURE_WEIGHT * settings.style_strength,
+            texture_masks,
+            surface: Some(Surface {
+                nearest: Arc::clone(&self.nearest),
+                weight: settings.surface_pull,
+                every: PLANES_EVERY,
+            }),
+            ..Problem::for_drawings(wire, targets, recipe(settings))
+        }
+    }
+
+    /// How evenly a wire covers the mesh, and how far it is off it.
+    fn measure(&self, wire: &Wire, settings: &Settings) -> SurfaceReport {
+        SurfaceReport::measure(&self.mesh, &self.nearest, wire, settings.curve_spacing)
+    }
+}
+
+#[cfg(feature = "threads")]
+fn in_parallel<T: Send>(views: &[View], make: impl Fn(&View) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    views.par_iter().map(make).collect()
+}
+
+#[cfg(not(feature = "threads"))]
+fn in_parallel<T>(views: &[View], make: impl Fn(&View) -> T) -> Vec<T> {
+    views.iter().map(make).collect()
+}
+
+/// A fit to a mesh under way.
+pub type Run = super::Run<Job>;
+
+/// The mesh's part in a run.
+pub struct Job {
+    plan: Plan,
+}
+
+impl super::Job for Job {
+    type Plan = Plan;
+    const TASK: &'static str = "fill";
+
+    fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.plan.targets
+    }
+
+    fn sources(&self) -> &[String] {
+        &[]
+    }
+
+    fn placed(&self, view: usize) -> Placed {
+        Placed {
+            view: self.plan.targets[view].view.clone(),
+            source: None,
+            mirrored: false,
+            quarter_turns: 0,
+            coverable: 1.0,
+        }
+    }
+
+    fn draw(&self, wire: &Wire, view: usize, settings: &Settings) -> Image {
+        self.plan.render(wire, view, settings)
+    }
+
+    fn complete(&self, result: &mut ResultReport, made: &Sculpture, run: &Run) {
+        result.surface = Some(self.plan.measure(&made.wire, run.settings()));
+    }
+
+    fn change_views_every(&self, _: &Settings) -> usize {
+        1
+    }
+
+    fn views_from(&self, iteration: usize, settings: &Settings) -> Seen {
+        self.plan.looked_at(iteration, settings)
+    }
+}
+
+impl Run {
+    /// Lays the first wire and readies the fit.
+    ///
+    /// # Errors
+    /// As [`Problem::check`]; [`Error::Device`] if a graphics card is asked for and there is none that computes rightly.
+    pub fn start(plan: Plan, settings: &Settings) -> Result<Run> {
+        wait(Run::start_async(plan, settings))
+    }
+
+    /// [`Run::start`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::start`].
+    pub async fn start_async(plan: Plan, settings: &Settings) -> Result<Run> {
+        let engine = engine(settings.backend).await?;
+        let session = Session::with_engine(plan.problem(plan.first_wire(settings)?, 0, settings), engine)?;
+        Ok(Run::new(Job { plan }, settings, session))
+    }
+
+    /// Goes on from a checkpoint of a run of the same mesh: with the same settings bit for bit as if it had never been
+    /// interrupted, with others from here on as these say.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for bytes that are no checkpoint, damaged or of another mesh; [`Error::Setting`] for a setting that
+    /// would have made it another run.
+    pub fn resume(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
+        wait(Run::resume_async(plan, settings, checkpoint))
+    }
+
+    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::resume`].
+    pub async fn resume_async(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
+        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.targets, settings)?;
+        let problem = plan.problem(saved.wire().clone(), saved.iteration(), settings);
+        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
+        Ok(Run::new(Job { plan }, settings, session))
+    }
+}
