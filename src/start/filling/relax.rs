@@ -1,7 +1,11 @@
 //! Evening out: lines move to the middle of what lies nearest to them, as points do in Lloyd's method (1982).
 //!
-//! Every place of the surface belongs to the line nearest to it, and a line moves, across its own way only, to the mean
-//! of its places. Places of different lines do not mix, so lines keep apart and reach into gaps.
+//! Every place of the surface belongs to the line nearest to it, and a line moves, across its own way only, towards the
+//! mean of its places. Places of different lines do not mix, so lines keep apart and reach into gaps.
+//!
+//! The mean square distance alone would be least for a line that wriggles without end: lines also pull straight, as much
+//! as makes parallels at the wanted spacing the best. With distances d and length L the energy is ∫ d² + λ L; parallels
+//! at spacing s have s²/12 + λ/s for a unit of area, least where λ = s³/6.
 
 use super::stitch::{NODES_A_SPACING, resampled};
 use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands, foot};
@@ -12,14 +16,12 @@ use glam::DVec3;
 const SAMPLES_A_SQUARE: f64 = 24.0;
 /// How far a sample looks for a line, in spacings: nearly always far enough, and at most.
 const REACH: [f64; 2] = [0.7, 2.5];
-/// Of the way to the mean a line goes in one round (more than all: rounds are few).
-const EAGERNESS: f64 = 1.3;
 /// Longest step of a round, in spacings.
 const LONGEST_STEP: f64 = 1.0 / 8.0;
-/// Times that what lies nearest is smoothed along the line.
-const SMOOTHINGS: usize = 4;
-/// Of the bend of a line, straightened in one round.
-const STRAIGHTENING: f64 = 0.1;
+/// Against the tension at which the wanted spacing costs least, so that lines run calmly.
+const TENSION: f64 = 3.0;
+/// Rounds in which the moves of a line's nodes are solved for; each leaves about three quarters of the error.
+const SOLVING: usize = 12;
 
 /// A place of the surface.
 #[derive(Debug, Clone, Copy)]
@@ -97,23 +99,32 @@ fn moves(strands: &Strands, samples: &[Sample], spacing: f64) -> Vec<DVec3> {
             *sum = (sum.0 + share * by, sum.1 + share);
         }
     }
-    for _ in 0..SMOOTHINGS {
-        let blurred = |i: usize| {
-            let (p, c, n) = (pulls[strands.previous[i] as usize], pulls[i], pulls[strands.next[i] as usize]);
-            (0.25 * p.0 + 0.5 * c.0 + 0.25 * n.0, 0.25 * p.1 + 0.5 * c.1 + 0.25 * n.1)
-        };
-        pulls = (0..count).map(blurred).collect();
-    }
-    let step = |i: usize| {
-        let point = |j: u32| strands.nodes[j as usize].point;
-        let bend = 0.5 * (point(strands.previous[i]) + point(strands.next[i])) - strands.nodes[i].point;
+    // A node stands for `step` of the line and so for `step * spacing` of the surface. The move u that makes the energy
+    // least with what belongs to each node held: u + c (2 u - u₋ - u₊) = mean + c (x₋ + x₊ - 2 x), c = λ / (2 step² s).
+    let c = TENSION * NODES_A_SPACING * NODES_A_SPACING / 12.0;
+    let point = |j: u32| strands.nodes[j as usize].point;
+    let wanted = |i: usize| {
+        let bend = point(strands.previous[i]) + point(strands.next[i]) - 2.0 * strands.nodes[i].point;
+        // As if twice sampled: a node that few samples belong to is unsure of their mean.
         let (sum, weight) = pulls[i];
-        let centre = if weight > 0.0 { sum / weight } else { DVec3::ZERO };
-        let along = strands.tangent(i);
-        let by = EAGERNESS * centre + STRAIGHTENING * bend;
-        (by - along * along.dot(by)).clamp_length_max(LONGEST_STEP * spacing)
+        across(strands, i, sum / weight.max(0.5 * SAMPLES_A_SQUARE / NODES_A_SPACING) + c * bend)
     };
-    (0..count).map(step).collect()
+    let wanted: Vec<DVec3> = (0..count).map(wanted).collect();
+    let mut moves = vec![DVec3::ZERO; count];
+    for _ in 0..SOLVING {
+        let solved = |i: usize| {
+            let beside = moves[strands.previous[i] as usize] + moves[strands.next[i] as usize];
+            (wanted[i] + c * beside) / (1.0 + 2.0 * c)
+        };
+        moves = (0..count).map(solved).collect();
+    }
+    (0..count).map(|i| across(strands, i, moves[i]).clamp_length_max(LONGEST_STEP * spacing)).collect()
+}
+
+/// The part of `by` that is not along the line.
+fn across(strands: &Strands, i: usize, by: DVec3) -> DVec3 {
+    let along = strands.tangent(i);
+    by - along * along.dot(by)
 }
 
 /// A sample's pull at the nearest segment (named by its first node), `t` along it.
