@@ -62,8 +62,10 @@ impl Level {
             if parents[i] == FREE && parents[j] == FREE {
                 (parents[i], parents[j]) = (points.len() as u32, points.len() as u32);
                 let (m, n) = (self.sizes[i], self.sizes[j]);
-                points.push((m * self.points[i] + n * self.points[j]) / (m + n));
-                normals.push((m * self.normals[i] + n * self.normals[j]).normalize_or(self.normals[i]));
+                // A point of the surface, not the mean: distances between means inside a curved part are too short.
+                let stays = if n > m { j } else { i };
+                points.push(self.points[stays]);
+                normals.push(self.normals[stays]);
                 sizes.push(m + n);
             }
         }

@@ -53,7 +53,10 @@ fn across(levels: &[Level], field: &[DVec3]) -> Vec<Vec<DVec3>> {
 fn step(from: DVec3, to: DVec3, edge: DVec3, turn: f64) -> (DVec2, bool) {
     let flip = from.dot(to) < 0.0;
     let mean = 0.5 * (to + if flip { -from } else { from });
-    (DVec2::from_angle(turn * mean.dot(edge)), flip)
+    // On an arc the chord times the half angle over its sine is the way along it; the mean is as long as its cosine.
+    let cosine = mean.length().max(0.5);
+    let arc = (1.0 + (1.0 - cosine * cosine) / 6.0) / cosine;
+    (DVec2::from_angle(turn * arc * mean.dot(edge)), flip)
 }
 
 fn carried(phase: DVec2, (turn, flip): (DVec2, bool)) -> DVec2 {

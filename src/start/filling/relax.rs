@@ -19,7 +19,9 @@ const REACH: [f64; 2] = [0.7, 2.5];
 /// Longest step of a round, in spacings.
 const LONGEST_STEP: f64 = 1.0 / 8.0;
 /// Against the tension at which the wanted spacing costs least, so that lines run calmly.
-const TENSION: f64 = 3.0;
+const TENSION: f64 = 1.5;
+/// Times that pulls are smoothed along the line: few samples make a node's mean uncertain.
+const SMOOTHINGS: usize = 4;
 /// Rounds in which the moves of a line's nodes are solved for; each leaves about three quarters of the error.
 const SOLVING: usize = 12;
 
@@ -98,6 +100,13 @@ fn moves(strands: &Strands, samples: &[Sample], spacing: f64) -> Vec<DVec3> {
             let sum = &mut pulls[node as usize];
             *sum = (sum.0 + share * by, sum.1 + share);
         }
+    }
+    for _ in 0..SMOOTHINGS {
+        let blurred = |i: usize| {
+            let (p, c, n) = (pulls[strands.previous[i] as usize], pulls[i], pulls[strands.next[i] as usize]);
+            (0.25 * p.0 + 0.5 * c.0 + 0.25 * n.0, 0.25 * p.1 + 0.5 * c.1 + 0.25 * n.1)
+        };
+        pulls = (0..count).map(blurred).collect();
     }
     // A node stands for `step` of the line and so for `step * spacing` of the surface. The move u that makes the energy
     // least with what belongs to each node held: u + c (2 u - u₋ - u₊) = mean + c (x₋ + x₊ - 2 x), c = λ / (2 step² s).
