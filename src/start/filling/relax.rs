@@ -42,7 +42,8 @@ pub fn samples(surface: &Surface, spacing: f64, a_square: f64) -> Vec<Sample> {
         while all.len() as f64 + 0.5 < due {
             // The R2 sequence (Roberts 2018), folded into the triangle.
             let n = all.len() as f64;
-            let (mut u, mut v) = ((0.5 + n * 0.754_877_666_246_692_8).fract(), (0.5 + n * 0.569_840_290_998_053_3).fract());
+            let (mut u, mut v) =
+                ((0.5 + n * 0.754_877_666_246_692_8).fract(), (0.5 + n * 0.569_840_290_998_053_3).fract());
             if u + v > 1.0 {
                 (u, v) = (1.0 - u, 1.0 - v);
             }
@@ -147,7 +148,8 @@ fn pull(strands: &Strands, grid: &Grid, sample: &Sample, spacing: f64) -> Option
     let same_side = |i: u32| strands.nodes[i as usize].normal.dot(sample.normal) > SAME_SIDE;
     let nearest = REACH.iter().find_map(|reach| grid.nearest(sample.point, reach * spacing, same_side))?;
     let on = |segment: u32| {
-        let (a, b) = (strands.nodes[segment as usize].point, strands.nodes[strands.next[segment as usize] as usize].point);
+        let (a, b) =
+            (strands.nodes[segment as usize].point, strands.nodes[strands.next[segment as usize] as usize].point);
         let t = foot(sample.point, a, b);
         Pull { segment, t, by: sample.point - a.lerp(b, t) }
     };
