@@ -1,11 +1,9 @@
 //! Triangle meshes: what a wire covers.
 
 mod ball;
-mod depth;
 mod nearest;
 mod shape;
 
-pub use depth::Depths;
 pub use nearest::{Hit, Nearest};
 pub use shape::Shape;
 
