@@ -47,3 +47,18 @@ pub fn zero_lines(surface: &Surface, values: &[f64]) -> Vec<Strand> {
     }
     lines
 }
+
+/// Shifts the values of every part on which none or all are positive so that half of their range is.
+pub fn cross_zero(surface: &Surface, values: &mut [f64]) {
+    let mut ranges = vec![(f64::INFINITY, f64::NEG_INFINITY); surface.parts];
+    for (&value, &part) in values.iter().zip(&surface.part_of) {
+        let range = &mut ranges[part as usize];
+        *range = (range.0.min(value), range.1.max(value));
+    }
+    for (value, &part) in values.iter_mut().zip(&surface.part_of) {
+        let (low, high) = ranges[part as usize];
+        if low > 0.0 || high <= 0.0 {
+            *value -= 0.5 * (low + high);
+        }
+    }
+}

@@ -89,7 +89,7 @@ pub struct FillOptions {
 
 impl Default for FillOptions {
     fn default() -> Self {
-        FillOptions { spacing_world: 0.06, width_world: 0.01, guide: Guide::Smooth, seed: 0, rounds: 20 }
+        FillOptions { spacing_world: 0.06, width_world: 0.01, guide: Guide::Smooth, seed: 0, rounds: 10 }
     }
 }
 
@@ -117,33 +117,88 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
         let remedy = format!("use {low} to {high}");
         return Err(Error::setting("curve_spacing", format!("{spacing} is out of range"), remedy));
     }
-    let t = std::time::Instant::now();
-    let log = |what: &str| eprintln!("  {:6.3} {what}", t.elapsed().as_secs_f64());
     let surface = Surface::new(mesh, spacing / 2.0)?;
-    log(&format!("surface {} tri", surface.triangles.len()));
-    let levels = hierarchy::levels(&surface);
-    log(&format!("levels {:?}", levels.iter().map(|l| l.points.len()).collect::<Vec<_>>()));
-    let field = field::line_field(&levels, &options.guide, options.seed);
-    log("field");
-    let period = spacing * PERIOD;
-    let mut values = phase::stripes(&levels, &field, period, options.seed);
-    for (value, distance) in values.iter_mut().zip(surface.rim_distances()) {
-        *value = value.min((distance - spacing / 2.0) * std::f64::consts::PI / spacing);
+    let (large, left_out) = large_parts(&surface, spacing)?;
+    let mut told = |done: f32| progress(done);
+    if !told(0.1) {
+        return Ok(None);
     }
-    log("phase");
-    let lines = contour::zero_lines(&surface, &values);
-    log(&format!("contour {} lines", lines.len()));
-    let lines = stitch::stitched(&surface, lines, spacing);
-    log(&format!("stitched {}", lines.len()));
-    let told = &mut |share: f64| progress(0.3 + 0.7 * share as f32);
-    let Some(lines) = relax::relaxed(&surface, lines, spacing, options.rounds, told) else { return Ok(None) };
-    log("relaxed");
-    let line = parts::joined(lines);
+    let levels = hierarchy::levels(&surface);
+    let field = field::line_field(&levels, &options.guide, options.seed);
+    if !told(0.25) {
+        return Ok(None);
+    }
+    let lines = lines(&surface, &large, &levels, &field, options);
+    if lines.is_empty() {
+        return Err(too_small());
+    }
+    let lines = stitch::stitched(&surface, &lines, spacing);
+    let relaxing = &mut |share: f64| told(0.4 + 0.6 * share as f32);
+    let Some(lines) = relax::relaxed(&surface, &lines, spacing, options.rounds, relaxing) else { return Ok(None) };
+    let line = parts::joined(&lines, spacing);
+    let mut notes = Vec::new();
+    if left_out > 0 {
+        let s = if left_out == 1 { " is" } else { "s are" };
+        notes.push(format!("{left_out} part{s} too small for the spacing and left out"));
+    }
+    if lines.len() > 1 {
+        notes.push(format!("{} parts are joined by links through space", lines.len()));
+    }
     let node = |node: &strand::Node| [node.point.x, node.point.y, node.point.z, options.width_world];
     let path = Path { points: line.iter().map(node).collect(), closed: true };
     let normals = line.iter().map(|node| node.normal.to_array()).collect();
-    Ok(Some(Filling { path, normals, notes: Vec::new() }))
+    Ok(Some(Filling { path, normals, notes }))
 }
 
-/// Stripes this much nearer than the spacing, so that area / length is the spacing in the end.
-const PERIOD: f64 = 1.0;
+/// Whether each part is large enough to be covered, and how many are not.
+fn large_parts(surface: &Surface, spacing: f64) -> Result<(Vec<bool>, usize)> {
+    let is_large = |area: f64| area >= SMALLEST_PART * spacing * spacing;
+    let large: Vec<bool> = surface.part_areas().into_iter().map(is_large).collect();
+    let left_out = large.iter().filter(|&&large| !large).count();
+    if left_out == large.len() { Err(too_small()) } else { Ok((large, left_out)) }
+}
+
+fn too_small() -> Error {
+    Error::input("mesh", "has no part large enough to hold a line", "use a finer spacing or scale the mesh up")
+}
+
+/// Closed lines about a spacing apart on the parts that are `large`.
+fn lines(
+    surface: &Surface,
+    large: &[bool],
+    levels: &[hierarchy::Level],
+    field: &[glam::DVec3],
+    options: &FillOptions,
+) -> Vec<strand::Strand> {
+    let spacing = options.spacing_world;
+    let rim = surface.rim_distances();
+    let mut found: (f64, Vec<strand::Strand>) = (f64::INFINITY, Vec::new());
+    let mut period = spacing;
+    for _ in 0..PERIODS_TRIED {
+        let mut values = phase::stripes(levels, field, period, options.seed);
+        for (v, value) in values.iter_mut().enumerate() {
+            // Along a rim the lines turn back half a spacing before it.
+            *value = value.min((rim[v] - spacing / 2.0) * std::f64::consts::PI / spacing);
+        }
+        contour::cross_zero(surface, &mut values);
+        let mut lines = contour::zero_lines(surface, &values);
+        lines.retain(|line| large[surface.part(line[0].triangle) as usize]);
+        let length: f64 = lines.iter().map(|line| strand::length(line)).sum();
+        let ratio = surface.area() / length.max(spacing) / spacing / STRIPE_RATIO;
+        if (ratio - 1.0).abs() < found.0 {
+            found = ((ratio - 1.0).abs(), lines);
+        }
+        if found.0 < 0.01 {
+            break;
+        }
+        period = (period / ratio).clamp(0.7 * spacing, 1.3 * spacing);
+    }
+    found.1
+}
+
+/// Parts of less than this many square spacings are not covered.
+const SMALLEST_PART: f64 = 0.5;
+/// Periods of the stripes that are tried until their length is right.
+const PERIODS_TRIED: usize = 3;
+/// Area over length of the stripes, in spacings, such that it is 1 in the end: evening out shortens the curve.
+const STRIPE_RATIO: f64 = 0.98;
