@@ -180,7 +180,8 @@ fn lines(
             // Along a rim the lines turn back half a spacing before it.
             *value = value.min((rim[v] - spacing / 2.0) * std::f64::consts::PI / spacing);
         }
-        contour::cross_zero(surface, &mut values);
+        contour::without_slivers(surface, &mut values, LEAST_PEAK);
+        contour::cross_zero(surface, &mut values, &rim);
         let mut lines = contour::zero_lines(surface, &values);
         lines.retain(|line| large[surface.part(line[0].triangle) as usize]);
         let length: f64 = lines.iter().map(|line| strand::length(line)).sum();
@@ -198,6 +199,8 @@ fn lines(
 
 /// Parts of less than this many square spacings are not covered.
 const SMALLEST_PART: f64 = 0.5;
+/// Stripes in which the phase's cosine stays within this are a third of a spacing wide at most, and left out.
+const LEAST_PEAK: f64 = 0.5;
 /// Periods of the stripes that are tried until their length is right.
 const PERIODS_TRIED: usize = 3;
 /// Area over length of the stripes, in spacings, such that it is 1 in the end: evening out shortens the curve.
