@@ -30,7 +30,9 @@ pub fn zero_lines(surface: &Surface, values: &[f64]) -> Vec<Strand> {
                 normal: surface.normals[a].lerp(surface.normals[b], t).normalize_or(surface.normals[a]),
                 triangle: face,
             });
-            let Some(&on) = surface.edges_of[face as usize].iter().find(|&&e| e != edge && is_cut(e)) else { break false };
+            let Some(&on) = surface.edges_of[face as usize].iter().find(|&&e| e != edge && is_cut(e)) else {
+                break false;
+            };
             let faces = surface.edges[on as usize].faces;
             let beyond = if faces[0] == face { faces[1] } else { faces[0] };
             if on == start {
