@@ -12,8 +12,8 @@ use super::engine::engine;
 use super::fit::recipe;
 use super::run::{Placed, Seen};
 use super::saved::SavedRun;
-use crate::mesh::{Depths, Mesh, Nearest, Shape};
-use crate::metrics::{Evenness, ResultReport, SurfaceReport};
+use crate::mesh::{Depths, Mended, Mesh, Nearest, Shape};
+use crate::metrics::{ResultReport, SurfaceReport};
 use crate::optimize::{Problem, Session, Surface, WidthBounds, wait};
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Task};
@@ -74,6 +74,11 @@ const TONES: [f64; 2] = [0.2, 1.8];
 const PLANES_EVERY: usize = 10;
 
 impl Given {
+    /// A mesh from a file.
+    pub fn mended(name: &str, mended: Mended) -> Given {
+        Given { name: name.to_owned(), mesh: Arc::new(mended.mesh), notes: mended.notes, style: None }
+    }
+
     /// A built-in shape.
     pub fn shape(shape: Shape) -> Given {
         Given { name: shape.name().into(), mesh: Arc::new(shape.mesh()), notes: Vec::new(), style: None }
@@ -171,9 +176,7 @@ impl Plan {
     fn seen(&self, views: Vec<View>, settings: &Settings) -> Seen {
         let seen = in_parallel(&views, |view| {
             let depths = Depths::render(&self.mesh, view);
-            let mut ink = depths.shade(|point, normal| self.wanted(point, normal, settings) as f32);
-            let silhouette = depths.silhouette();
-            ink.data.iter_mut().zip(&silhouette.data).for_each(|(ink, inside)| *ink *= inside);
+            let ink = depths.shade(&self.mesh, |point, normal| self.wanted(&point, &normal, settings) as f32);
             let occluder = self.occluder(&depths, settings);
             (Target { view: view.clone(), ink }, occluder)
         });
@@ -207,7 +210,7 @@ impl Plan {
         path.points.iter_mut().for_each(|point| point[3] = width);
         let wire = match settings.control_points {
             0 => self.fitted(&path, settings.curve_spacing)?,
-            count => start::wire_with(&path, count)?,
+            count => start::fitted(&path, count, FIT_SMOOTHING)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
@@ -218,8 +221,8 @@ impl Plan {
         let mut found = None;
         for share in PATHS_PER_POINT {
             let count = ((length / (share * spacing)).round() as usize).clamp(8, MOST_POINTS);
-            let wire = start::wire_with(path, count)?;
-            let error = 0.0;
+            let wire = start::fitted(path, count, FIT_SMOOTHING)?;
+            let error = start::fit_error(path, &wire);
             found = Some(wire);
             if error <= FIT_TOLERANCE * spacing || count == MOST_POINTS {
                 break;
