@@ -196,7 +196,7 @@ mod tests {
             let options = TextureOptions { finest, levels, ..TextureOptions::default() };
             let texture = Texture::of("style", &random(96, 128, 1).blurred(0.8), &options).unwrap();
             let (picture, mask) = (random(width, height, 2), random(width, height, 3));
-            let weights = wide(&crop_weights(&mask, 2, 40, &mut Rng::new(4, 0)));
+            let weights = wide(&crop_weights(&mask, 2, width * 2 / 3, &mut Rng::new(4, 0)));
             let mut picture = wide(&picture.blurred(0.7));
             let mut loss = TextureLoss::<f64>::new(&texture, width, height);
             let gradient = loss.evaluate(&picture, &weights, 2.0).1.to_vec();
