@@ -5,11 +5,13 @@ mod mmse;
 mod net;
 mod regularisers;
 mod straight;
+mod surface;
 mod texture;
 mod warp;
 
 pub use guidance::Guidance;
 pub use mmse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;
+pub use surface::surface_and_gradient;
 pub use texture::{Texture, TextureLoss, TextureOptions, crop_weights};
 pub use warp::{Displacement, Warp, WarpWeights};
