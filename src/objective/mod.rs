@@ -13,5 +13,7 @@ pub use guidance::Guidance;
 pub use mmse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;
 pub use surface::surface_and_gradient;
+#[cfg(feature = "gpu")]
+pub(crate) use texture::packed as packed_texture;
 pub use texture::{Texture, TextureLoss, TextureOptions, crop_weights};
 pub use warp::{Displacement, Warp, WarpWeights};

@@ -8,7 +8,7 @@ pub const DIRECTIONS: usize = 6;
 /// Maps of features: a direction each, then ink.
 pub const FEATURES: usize = DIRECTIONS + 1;
 /// Squared amplitude below which there is no line to speak of: keeps the root's slope finite.
-const FAINT: f64 = 1e-3;
+pub const FAINT: f64 = 1e-3;
 
 /// Weights of the maps in the even and the odd response at one angle, in the maps' order.
 pub type Steering<R> = [R; JETS];
@@ -35,8 +35,8 @@ fn respond<R: Real>(weights: &Steering<R>, jets: &[Lanes<R>; JETS]) -> [Lanes<R>
     let mut out = [[R::zero(); LANES]; 3];
     for i in 0..LANES {
         let even = weights[0] * jets[0][i] + weights[1] * jets[1][i] + weights[2] * jets[2][i];
-        let odd = (weights[3] * jets[3][i] + weights[4] * jets[4][i])
-            + (weights[5] * jets[5][i] + weights[6] * jets[6][i]);
+        let odd =
+            (weights[3] * jets[3][i] + weights[4] * jets[4][i]) + (weights[5] * jets[5][i] + weights[6] * jets[6][i]);
         out[0][i] = even;
         out[1][i] = odd;
         out[2][i] = (even * even + odd * odd + faint).sqrt();
@@ -78,7 +78,8 @@ impl<R: Real> Features<R> {
         let (quarter, faint) = (R::from_f64(0.25), R::from_f64(FAINT).sqrt());
         for y in 0..self.height / 2 {
             for start in (0..2 * half).step_by(LANES) {
-                let at = |row: usize| self.jet.maps.each_ref().map(|map| load(map, row * width + start, (row + 1) * width));
+                let at =
+                    |row: usize| self.jet.maps.each_ref().map(|map| load(map, row * width + start, (row + 1) * width));
                 let (upper, lower) = (at(2 * y), at(2 * y + 1));
                 let count = (LANES / 2).min(half - start / 2);
                 for (weights, map) in self.steering.iter().zip(&mut *maps) {

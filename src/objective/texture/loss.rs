@@ -1,9 +1,9 @@
 //! The loss of a picture against a texture, with its exact gradient.
 
-use super::{Level as Wanted, Texture};
 use super::features::{DIRECTIONS, FEATURES, Features};
 use super::jet::REACH;
 use super::statistics::{Statistics, Survey};
+use super::{Level as Wanted, Texture};
 use crate::objective::Guidance;
 use crate::wire::Real;
 
@@ -17,7 +17,6 @@ const LEAST_AMPLITUDE: f64 = 0.02;
 #[derive(Debug, Clone)]
 struct Floor<R> {
     width: usize,
-    height: usize,
     picture: Vec<R>,
     weights: Vec<R>,
     d_picture: Vec<R>,
@@ -32,6 +31,11 @@ struct Level<R> {
     d_maps: [Vec<R>; FEATURES],
 }
 
+/// How many of `levels` levels from `finest` on have [`LEAST_PX`] a side.
+pub fn level_count(width: usize, height: usize, finest: usize, levels: usize) -> usize {
+    (0..levels).take_while(|level| width.min(height) >> (finest + level) >= LEAST_PX).count()
+}
+
 /// Floors of a pyramid of averages, and the levels between them that count.
 #[derive(Debug, Clone)]
 struct Tower<R> {
@@ -41,14 +45,13 @@ struct Tower<R> {
 }
 
 impl<R: Real> Tower<R> {
-    /// With up to `levels` levels from `finest` on, as many as have [`LEAST_PX`] a side.
+    /// With as many levels as [`level_count`] says.
     fn new(width: usize, height: usize, finest: usize, levels: usize) -> Tower<R> {
-        let side = width.min(height);
-        let count = (0..levels).take_while(|level| side >> (finest + level) >= LEAST_PX).count();
+        let count = level_count(width, height, finest, levels);
         let floor = |halvings: usize| {
             let (width, height) = (width >> halvings, height >> halvings);
             let plane = || vec![R::zero(); width * height];
-            Floor { width, height, picture: plane(), weights: plane(), d_picture: plane() }
+            Floor { width, picture: plane(), weights: plane(), d_picture: plane() }
         };
         let level = |level: usize| {
             let (width, height) = (width >> (finest + level), height >> (finest + level));
@@ -148,7 +151,7 @@ impl Guidance for TextureLoss<f32> {
 }
 
 /// Means of 2 x 2 pixels; an odd last row or column is left out.
-fn average<R: Real>(from: &[R], from_width: usize, to: &mut [R], width: usize) {
+pub fn average<R: Real>(from: &[R], from_width: usize, to: &mut [R], width: usize) {
     let quarter = R::from_f64(0.25);
     for (y, out) in to.chunks_exact_mut(width.max(1)).enumerate() {
         let (upper, lower) = from[2 * y * from_width..(2 * y + 2) * from_width].split_at(from_width);

@@ -11,6 +11,8 @@ mod crops;
 mod features;
 mod jet;
 mod loss;
+#[cfg(feature = "gpu")]
+pub(crate) mod packed;
 mod statistics;
 
 pub use crops::crop_weights;

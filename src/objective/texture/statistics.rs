@@ -63,6 +63,49 @@ fn relative<R: Real>(found: &[R], wanted: &[R], gradient: &mut [R]) -> R {
     squares / size
 }
 
+/// How much each pixel of the features' maps counts.
+#[derive(Debug, Clone)]
+pub struct Weights<R> {
+    width: usize,
+    height: usize,
+    /// Row by row, 0 in the margin.
+    pub values: Vec<R>,
+    /// Their sum.
+    pub total: R,
+    /// For each shift the sum over all pairs of the product of both.
+    pub pairs: [R; SHIFTS.len()],
+}
+
+impl<R: Real> Weights<R> {
+    /// For maps of `width` x `height`.
+    pub fn new(width: usize, height: usize) -> Weights<R> {
+        let zero = R::zero();
+        Weights { width, height, values: vec![zero; width * height], total: zero, pairs: [zero; SHIFTS.len()] }
+    }
+
+    /// Takes over other weights.
+    pub fn set(&mut self, weights: &[R]) {
+        let (width, height) = (self.width, self.height);
+        if width <= 2 * MARGIN {
+            return;
+        }
+        for y in MARGIN..height.saturating_sub(MARGIN) {
+            let inside = y * width + MARGIN..(y + 1) * width - MARGIN;
+            self.values[inside.clone()].copy_from_slice(&weights[inside]);
+        }
+        self.total = self.values.iter().copied().sum();
+        for (pairs, &shift) in self.pairs.iter_mut().zip(&SHIFTS) {
+            let sums = rows(width, height, shift).map(|(here, there)| dot(&self.values[here], &self.values[there]));
+            *pairs = sums.sum::<R>() + R::from_f64(1e-12);
+        }
+    }
+
+    /// Whether there is anything to look at.
+    pub fn count(&self) -> bool {
+        self.total > R::one()
+    }
+}
+
 /// Takes statistics of maps of one size under weights, and the adjoint.
 #[derive(Debug, Clone)]
 pub struct Survey<R> {
@@ -70,10 +113,7 @@ pub struct Survey<R> {
     height: usize,
     /// The features less their means.
     centred: [Vec<R>; FEATURES],
-    /// Weights, 0 in the margin; their sum; the sum of their products for each shift.
-    weights: Vec<R>,
-    weight: R,
-    pairs: [R; SHIFTS.len()],
+    weights: Weights<R>,
     means: [R; FEATURES],
     /// Variance of all amplitudes, and of the ink.
     variances: [R; 2],
@@ -95,9 +135,7 @@ impl<R: Real> Survey<R> {
             width,
             height,
             centred: std::array::from_fn(|_| vec![zero; width * height]),
-            weights: vec![zero; width * height],
-            weight: zero,
-            pairs: [zero; SHIFTS.len()],
+            weights: Weights::new(width, height),
             means: [zero; FEATURES],
             variances: [zero; 2],
             found: Statistics::none(),
@@ -108,26 +146,17 @@ impl<R: Real> Survey<R> {
     /// The statistics of `maps`; none where the weights leave nothing to look at.
     pub fn take(&mut self, maps: &[Vec<R>; FEATURES], weights: &[R]) -> Option<&Statistics<R>> {
         let (width, height) = (self.width, self.height);
-        self.weights.fill(R::zero());
-        if width > 2 * MARGIN {
-            for y in MARGIN..height.saturating_sub(MARGIN) {
-                let inside = y * width + MARGIN..(y + 1) * width - MARGIN;
-                self.weights[inside.clone()].copy_from_slice(&weights[inside]);
-            }
-        }
-        self.weight = self.weights.iter().copied().sum();
-        if !(self.weight > R::one()) {
+        self.weights.set(weights);
+        if !self.weights.count() {
             return None;
         }
         for ((map, centred), mean) in maps.iter().zip(&mut self.centred).zip(&mut self.means) {
-            *mean = dot(map, &self.weights) / self.weight;
+            *mean = dot(map, &self.weights.values) / self.weights.total;
             centred.iter_mut().zip(map).for_each(|(centred, &value)| *centred = value - *mean);
         }
         let mut grams = Statistics::none().together;
         for (s, &shift) in SHIFTS.iter().enumerate() {
-            let mut pairs = R::zero();
             for (here, there) in rows(width, height, shift) {
-                pairs = pairs + dot(&self.weights[here.clone()], &self.weights[there.clone()]);
                 self.weigh(here, there.clone());
                 for (weighed, sums) in self.row.iter().zip(&mut grams[s]) {
                     for (centred, sum) in self.centred.iter().zip(sums) {
@@ -135,8 +164,8 @@ impl<R: Real> Survey<R> {
                     }
                 }
             }
-            self.pairs[s] = pairs + R::from_f64(1e-12);
-            grams[s].as_flattened_mut().iter_mut().for_each(|sum| *sum = *sum / self.pairs[s]);
+            let pairs = self.weights.pairs[s];
+            grams[s].as_flattened_mut().iter_mut().for_each(|sum| *sum = *sum / pairs);
         }
         self.variances = [R::from_f64(FAINT); 2];
         for f in 0..FEATURES {
@@ -192,11 +221,12 @@ impl<R: Real> Survey<R> {
                         let sums = &mut self.row[0][..count];
                         sums.fill(R::zero());
                         for g in 0..FEATURES {
-                            let factor = if turned { d_grams[s][g][f] } else { d_grams[s][f][g] } / self.pairs[s];
+                            let factor = if turned { d_grams[s][g][f] } else { d_grams[s][f][g] };
+                            let factor = factor / self.weights.pairs[s];
                             let values = &self.centred[g][from.clone()];
                             sums.iter_mut().zip(values).for_each(|(sum, &value)| *sum = *sum + factor * value);
                         }
-                        let weights = self.weights[here.clone()].iter().zip(&self.weights[there.clone()]);
+                        let weights = self.weights.values[here.clone()].iter().zip(&self.weights.values[there.clone()]);
                         let d_map = d_maps[f][to.clone()].iter_mut();
                         for ((d, &sum), (&a, &b)) in d_map.zip(&*sums).zip(weights) {
                             *d = *d + a * b * sum;
@@ -210,15 +240,15 @@ impl<R: Real> Survey<R> {
         for (f, d_map) in d_maps.iter_mut().enumerate() {
             let direct = if f < DIRECTIONS { (gradient.directions[f] - lost) / amplitude } else { R::zero() };
             // Through the mean.
-            let through = (direct - d_map.iter().copied().sum::<R>()) / self.weight;
-            d_map.iter_mut().zip(&self.weights).for_each(|(d, &weight)| *d = *d + through * weight);
+            let through = (direct - d_map.iter().copied().sum::<R>()) / self.weights.total;
+            d_map.iter_mut().zip(&self.weights.values).for_each(|(d, &weight)| *d = *d + through * weight);
         }
     }
 
     /// Begins the rows with the features at `here` times both places' weights.
     fn weigh(&mut self, here: std::ops::Range<usize>, there: std::ops::Range<usize>) {
         for (row, centred) in self.row.iter_mut().zip(&self.centred) {
-            let weights = self.weights[here.clone()].iter().zip(&self.weights[there.clone()]);
+            let weights = self.weights.values[here.clone()].iter().zip(&self.weights.values[there.clone()]);
             for ((out, &value), (&a, &b)) in row.iter_mut().zip(&centred[here.clone()]).zip(weights) {
                 *out = a * b * value;
             }
