@@ -73,6 +73,7 @@ pub fn step() -> Step {
         jerk_width: 3e-2,
         length: 0.02,
         surface: 0.3,
+        texture: 0.0,
         width_bounds: [0.01, 0.1],
         loss_scale: 1.0,
         gradient_share: 0.5,
