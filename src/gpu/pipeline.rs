@@ -167,8 +167,8 @@ impl Pipeline {
     pub(super) fn set_planes(&mut self, planes: &[[f32; 4]]) -> Answer<()> {
         let fault = self.no_scene();
         let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
-        upload.planes.copy_from_slice(planes);
-        buffers.write(&self.device, Slot::Planes, 0, planes);
+        upload.planes.iter_mut().zip(planes).for_each(|(plane, &other)| *plane = other);
+        buffers.write(&self.device, Slot::Planes, 0, &upload.planes);
         Ok(())
     }
 
