@@ -106,7 +106,9 @@ fn edges_thin_walls_and_rims_are_covered() {
     for (name, mesh) in [("cube", cuboid([0.5; 3])), ("thin box", cuboid([0.6, 0.4, 0.02])), ("sheet", bumpy_sheet())] {
         let (filling, evenness) = filled(&mesh, &options(0.06));
         assert!(filling.notes.is_empty() && evenness.crossings == 0, "{name}: {evenness:?}");
-        assert!(evenness.mean < 0.28 && evenness.worst < 1.1 && evenness.crowded < 0.01, "{name}: {evenness:?}");
+        // Corners of an open sheet are reached less well than edges and walls.
+        let worst = if name == "sheet" { 1.3 } else { 1.0 };
+        assert!(evenness.mean < 0.28 && evenness.worst < worst && evenness.crowded < 0.01, "{name}: {evenness:?}");
         assert!((0.93..1.07).contains(&evenness.spacing_ratio), "{name}: {evenness:?}");
     }
 }

@@ -180,7 +180,7 @@ mod tests {
         let gappy = Evenness::measure(&mesh, &line[..30], 0.05).unwrap();
         assert!(gappy.worst > 2.0 && gappy.spacing_ratio > 1.15, "{gappy:?}");
         let mut crossing = line.clone();
-        crossing[10][1] += 0.07;
+        crossing[10] = [0.0, crossing[10][1] + 0.07, 0.0];
         let crossing = Evenness::measure(&mesh, &crossing, 0.05).unwrap();
         assert!(crossing.crossings > good.crossings, "{} and {}", crossing.crossings, good.crossings);
     }
