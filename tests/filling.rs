@@ -3,7 +3,7 @@
 use wire4d::mesh::{Mesh, Shape};
 use wire4d::metrics::Evenness;
 use wire4d::rng::Rng;
-use wire4d::start::{FillOptions, Filling, Guide, fill, length};
+use wire4d::start::{FillOptions, Filling, Guide, Method, fill, length};
 
 fn options(spacing_world: f64) -> FillOptions {
     FillOptions { spacing_world, ..FillOptions::default() }
@@ -216,4 +216,15 @@ fn spacings_that_do_not_work_are_refused() {
     let speck = several(&mesh, &[([0.0; 3], 0.002)]);
     let error = fill(&speck, &options(0.06), &mut |_| true).unwrap_err().to_string();
     assert!(error.starts_with("mesh: has no part large enough"), "{error}");
+}
+
+#[test]
+fn a_tour_covers_what_stripes_would() {
+    for shape in [Shape::Torus, Shape::Creature] {
+        let (_, evenness) = filled(&shape.mesh(), &FillOptions { method: Method::Tour, ..options(0.12) });
+        let what = format!("{}: {evenness:?}", shape.name());
+        assert!((0.9..=1.1).contains(&evenness.spacing_ratio), "{what}");
+        assert!(evenness.mean < 0.3 && evenness.p99 < 0.75 && evenness.worst < 1.2, "{what}");
+        assert!(evenness.crowded < 0.05 && evenness.crossings == 0, "{what}");
+    }
 }

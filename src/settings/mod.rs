@@ -370,13 +370,13 @@ settings! {
     Surface /// From line to line on the surface; the mesh fits a ball of radius 1.
     curve_spacing: f64 = 0.06, "world units", Number { min: 0.02, max: 0.2 };
     Surface /// Which way the lines run: smooth, along the upright, across it, or along the style's strokes.
-    flow: Flow = Flow::Smooth, "", Choice { choices: Flow::WORDS };
+    flow: Flow = Flow::Style, "", Choice { choices: Flow::WORDS };
     Surface /// How much of the surface is ink.
     density: f64 = 0.5, "of 1", Number { min: 0.1, max: 1.0 };
     Surface /// How strongly the style bends and thickens the wire: 0 not at all.
     style_strength: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 };
     Surface /// Side of the style's picture on the surface.
-    style_size: f64 = 0.9, "world units", Number { min: 0.1, max: 4.0 };
+    style_size: f64 = 1.4, "world units", Number { min: 0.1, max: 4.0 };
     Surface /// How the style's picture is laid on the surface: box from six sides, front once; off only asks for its texture.
     motif: Motif = Motif::Box, "", Choice { choices: Motif::WORDS };
     Surface /// Draw lines on the far side too.
@@ -384,7 +384,7 @@ settings! {
     Surface /// From where the wire is looked at: five sides a little turned each time, or anywhere.
     looks: Looks = Looks::Sides, "", Choice { choices: Looks::WORDS };
     Surface /// How many views each step looks through.
-    views_at_once: usize = 2, "views", Integer { min: 1, max: 16 };
+    views_at_once: usize = 1, "views", Integer { min: 1, max: 16 };
     Surface /// How far each look may turn from its side.
     jitter: f64 = 20.0, "degrees", Number { min: 0.0, max: 45.0 };
     Surface /// How suddenly a line vanishes behind the surface.
@@ -481,7 +481,7 @@ impl Settings {
         };
         match preset {
             Preset::Best => best,
-            Preset::Fast => Settings { iterations: 120, size: 192, views_at_once: 1, ..best },
+            Preset::Fast => Settings { iterations: 100, size: 192, ..best },
             Preset::Paper => Settings {
                 iterations: 251,
                 control_points: 1100,
@@ -489,7 +489,7 @@ impl Settings {
                 min_width: 0.0,
                 max_width: 8.7,
                 motif: Motif::Off,
-                views_at_once: 1,
+                flow: Flow::Smooth,
                 position_rate: 0.25,
                 reinit: false,
                 refine: false,

@@ -31,7 +31,7 @@ pub use arrange::{ArrangeOptions, Arrangement, Cutouts, Drawing, Placement, arra
 pub use ball::{ball_path, ball_points};
 pub use bend::{BendOptions, Bent, bend};
 pub use boxfit::{BoxFit, fit_box};
-pub use filling::{FillOptions, Filling, Guide, SPACINGS_WORLD, Wish, fill};
+pub use filling::{FillOptions, Filling, Guide, Method, SPACINGS_WORLD, Wish, fill};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use fitted::{fit_error, fitted};
 pub use grid::Grid;

@@ -4,6 +4,7 @@
 //! is left, and that one is evened out on the surface.
 
 mod contour;
+mod dots;
 mod field;
 mod guide;
 mod hierarchy;
@@ -29,6 +30,16 @@ pub(crate) use surface::Surface;
 /// Spacings that [`fill`] takes, world units.
 pub const SPACINGS_WORLD: std::ops::RangeInclusive<f64> = 0.02..=0.2;
 
+/// Where the curve comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Parallel lines, stitched into one.
+    #[default]
+    Stripes,
+    /// A short tour through places spread over the surface. Takes no guide.
+    Tour,
+}
+
 /// How to fill a mesh.
 #[derive(Debug)]
 pub struct FillOptions {
@@ -38,6 +49,8 @@ pub struct FillOptions {
     pub width_world: f64,
     /// Which way the strands run.
     pub guide: Guide,
+    /// Where the curve comes from; a tour covers what no stripe fits on.
+    pub method: Method,
     /// Seeds all that is random.
     pub seed: u64,
     /// Rounds of evening out.
@@ -46,7 +59,14 @@ pub struct FillOptions {
 
 impl Default for FillOptions {
     fn default() -> Self {
-        FillOptions { spacing_world: 0.06, width_world: 0.01, guide: Guide::Smooth, seed: 0, rounds: 10 }
+        FillOptions {
+            spacing_world: 0.06,
+            width_world: 0.01,
+            guide: Guide::Smooth,
+            method: Method::Stripes,
+            seed: 0,
+            rounds: 10,
+        }
     }
 }
 
@@ -78,12 +98,18 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
     if !progress(0.1) {
         return Ok(None);
     }
-    let levels = hierarchy::levels(&surface);
-    let field = field::line_field(&levels, &options.guide, options.seed);
-    if !progress(0.25) {
-        return Ok(None);
+    let mut lines = Vec::new();
+    if options.method == Method::Stripes {
+        let levels = hierarchy::levels(&surface);
+        let field = field::line_field(&levels, &options.guide, options.seed);
+        if !progress(0.25) {
+            return Ok(None);
+        }
+        lines = stripes::stripes(&surface, &levels, &field, spacing, options.seed);
     }
-    let lines = stripes::stripes(&surface, &levels, &field, spacing, options.seed);
+    if lines.is_empty() {
+        lines = dots::tours(&surface, spacing, options.seed);
+    }
     let covered: std::collections::BTreeSet<u32> = lines.iter().map(|line| surface.part(line[0].triangle)).collect();
     if covered.is_empty() {
         let remedy = "use a finer spacing or scale the mesh up";

@@ -30,6 +30,7 @@ const SOLVING: usize = 12;
 pub struct Sample {
     pub point: DVec3,
     pub normal: DVec3,
+    pub triangle: u32,
 }
 
 /// Places spread evenly by area, `a_square` for every square of `spacing`.
@@ -47,7 +48,8 @@ pub fn samples(surface: &Surface, spacing: f64, a_square: f64) -> Vec<Sample> {
                 (u, v) = (1.0 - u, 1.0 - v);
             }
             let at = [1.0 - u - v, u, v];
-            all.push(Sample { point: at[0] * a + at[1] * b + at[2] * c, normal: surface.normal_at(triangle, at) });
+            let point = at[0] * a + at[1] * b + at[2] * c;
+            all.push(Sample { point, normal: surface.normal_at(triangle, at), triangle });
         }
     }
     all

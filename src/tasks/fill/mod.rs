@@ -18,8 +18,8 @@ use crate::objective::{Texture, TextureOptions, crop_weights};
 use crate::optimize::{Problem, Seen, Session, Surface, WidthBounds, wait};
 use crate::rng::Rng;
 use crate::sculpture::{Sculpture, render, render_seen};
-use crate::settings::{Flow, Motif as Laid, Settings, Task};
-use crate::start::{self, FillOptions, Filling, Guide};
+use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
+use crate::start::{self, FillOptions, Filling, Guide, Method};
 use crate::view::{Image, Occluder, Target, View};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
@@ -137,7 +137,9 @@ fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions 
         }
         (Flow::Smooth | Flow::Style, _) => Guide::Smooth,
     };
-    FillOptions { spacing_world: settings.curve_spacing, guide, seed: settings.seed, ..FillOptions::default() }
+    let method = if settings.start == Start::Tour { Method::Tour } else { Method::Stripes };
+    let (spacing_world, seed) = (settings.curve_spacing, settings.seed);
+    FillOptions { spacing_world, guide, method, seed, ..FillOptions::default() }
 }
 
 /// World units in a pixel of a view, at the origin.
