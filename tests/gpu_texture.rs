@@ -9,7 +9,7 @@ use optimize_common::random_wire;
 use std::sync::Arc;
 use wire4d::gpu::{GpuEngine, Pipeline, Slot};
 use wire4d::objective::{Guidance, MultiscaleMse, Pyramid, Texture, TextureLoss, TextureOptions, crop_weights};
-use wire4d::optimize::{CpuEngine, Engine, Picture, Scene, Step, term_count};
+use wire4d::optimize::{CpuEngine, Engine, Picture, Scene, Step, term_count, wait};
 use wire4d::rng::Rng;
 use wire4d::view::Image;
 
@@ -87,8 +87,8 @@ fn the_loss_of_noise_and_its_gradient_agree() {
 /// Terms, gradients to the pictures and to the points.
 fn evaluate(engine: &mut dyn Engine, step: &Step) -> (Vec<f32>, Vec<f32>, Vec<[f32; 4]>) {
     let (mut terms, mut d_points, mut d_coverage) = (vec![0.0; term_count(3)], Vec::new(), Vec::new());
-    engine.evaluate(&points(&random_wire(24, 5)), step, &mut terms, &mut d_points).now();
-    engine.fetch(Picture::DCoverage).now();
+    wait(engine.evaluate(&points(&random_wire(24, 5)), step, &mut terms, &mut d_points).done());
+    wait(engine.fetch(Picture::DCoverage).done());
     (0..3).for_each(|view| d_coverage.extend_from_slice(engine.picture(Picture::DCoverage, view)));
     (terms, d_coverage, d_points)
 }
@@ -99,16 +99,16 @@ fn whole_iterations_agree_with_other_masks_too() {
     let (mut cpu, mut gpu) = (CpuEngine::new(), GpuEngine::new(&device, ""));
     let step = Step { texture: 0.2, ..step() };
     let scene = styled(96, 0);
-    cpu.load(scene.clone()).now();
-    gpu.load(scene.clone()).now();
+    wait(cpu.load(scene.clone()).done());
+    wait(gpu.load(scene.clone()).done());
     let mut first = None;
     for turn in 0..2 {
         if turn == 1 {
             let mut views = scene.views.clone();
             views[0].texture_mask = views[2].texture_mask.clone();
             views[2].texture_mask = None;
-            cpu.set_views(views.clone()).now();
-            gpu.set_views(views).now();
+            wait(cpu.set_views(views.clone()).done());
+            wait(gpu.set_views(views).done());
         }
         let (on_cpu, on_gpu) = (evaluate(&mut cpu, &step), evaluate(&mut gpu, &step));
         assert!(gpu.trouble().is_none(), "{:?}", gpu.trouble());

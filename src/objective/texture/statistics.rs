@@ -215,21 +215,22 @@ impl<R: Real> Survey<R> {
         for (s, &shift) in SHIFTS.iter().enumerate() {
             for (here, there) in rows(width, height, shift) {
                 let count = here.len();
+                let weights = (&self.weights.values[here.clone()], &self.weights.values[there.clone()]);
                 // The first of each pair, from the second one, and the other way round.
                 for (from, to, turned) in [(&there, &here, false), (&here, &there, true)] {
+                    let values = self.centred.each_ref().map(|map| &map[from.clone()][..count]);
                     for f in 0..FEATURES {
-                        let sums = &mut self.row[0][..count];
-                        sums.fill(R::zero());
-                        for g in 0..FEATURES {
-                            let factor = if turned { d_grams[s][g][f] } else { d_grams[s][f][g] };
-                            let factor = factor / self.weights.pairs[s];
-                            let values = &self.centred[g][from.clone()];
-                            sums.iter_mut().zip(values).for_each(|(sum, &value)| *sum = *sum + factor * value);
-                        }
-                        let weights = self.weights.values[here.clone()].iter().zip(&self.weights.values[there.clone()]);
-                        let d_map = d_maps[f][to.clone()].iter_mut();
-                        for ((d, &sum), (&a, &b)) in d_map.zip(&*sums).zip(weights) {
-                            *d = *d + a * b * sum;
+                        let factors: [R; FEATURES] = std::array::from_fn(|g| {
+                            (if turned { d_grams[s][g][f] } else { d_grams[s][f][g] }) / self.weights.pairs[s]
+                        });
+                        let d_map = &mut d_maps[f][to.clone()][..count];
+                        let (a, b) = (&weights.0[..count], &weights.1[..count]);
+                        for x in 0..count {
+                            let mut sum = R::zero();
+                            for g in 0..FEATURES {
+                                sum = sum + factors[g] * values[g][x];
+                            }
+                            d_map[x] = d_map[x] + a[x] * b[x] * sum;
                         }
                     }
                 }
