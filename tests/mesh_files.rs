@@ -41,7 +41,8 @@ fn polygons_strips_fans_and_nodes() {
     let nodes = r#"[{"children":[1,2]},{"mesh":0,"translation":[3,0,0],"rotation":[0,0.7071068,0,0.7071068]},{"mesh":1,"scale":[-1,1,1]}]"#;
     let read = read_mesh("two.gltf", tetrahedra(nodes).as_bytes()).unwrap();
     assert_eq!((read.parts, read.open_edges, read.mesh.triangles().len()), (2, 0, 8), "{:?}", read.notes);
-    assert_eq!(read.notes, ["2 parts do not hang together"], "a mirrored part is not inside out");
+    let all = read.notes.join("; ");
+    assert!(all.contains("2 parts") && !all.contains("turned"), "a mirrored part is not inside out: {all}");
     let circle = r#"[{"children":[1],"mesh":0},{"children":[0]}]"#;
     assert_eq!(read_mesh("circle.gltf", tetrahedra(circle).as_bytes()).unwrap().parts, 1);
 }

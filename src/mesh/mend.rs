@@ -2,7 +2,7 @@
 
 use super::Mesh;
 use super::ball::fit_unit_ball;
-use super::sides::{OPEN, drop_doubles, link, orient, separate};
+use super::sides::{OPEN, drop_doubles, link, orient, separate, thin_out};
 use super::weld::weld;
 use crate::{Error, Result};
 use glam::DVec3;
@@ -105,24 +105,37 @@ pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
     let specks = areas.iter().filter(|&&area| area < SPECK * total).count();
     note(&mut notes, specks, "speck was dropped", "specks were dropped");
     let keep: Vec<bool> = part.iter().map(|&part| areas[part as usize] >= SPECK * total).collect();
-    let open_edges =
-        (0..triangles.len()).filter(|&i| keep[i]).map(|i| links[i].iter().filter(|&&link| link == OPEN).count()).sum();
-    note(
-        &mut notes,
-        open_edges,
-        "edge is open: the mesh has a hole",
-        "edges are open: the mesh has holes or is a sheet",
-    );
-    let (mut positions, split) = separate(&positions, &mut triangles, &links, &keep);
+    let (mut positions, mut split) = separate(&positions, &mut triangles, &links, &keep);
+    let mut kept = keep.iter();
+    triangles.retain(|_| *kept.next().unwrap_or(&false));
+    // A surface that runs into itself may pass the same edge twice even so.
+    let mut dropped = 0;
+    let (parts, open_edges) = loop {
+        let thinned = thin_out(&mut triangles);
+        dropped += thinned;
+        let (mut links, _) = link(&triangles);
+        let (part, _) = orient(&mut triangles, &mut links);
+        let (separated, added) = separate(&positions, &mut triangles, &links, &vec![true; part.len()]);
+        (positions, split) = (separated, split + added);
+        if thinned == 0 {
+            let open = links.iter().flatten().filter(|&&link| link == OPEN).count();
+            break (part.iter().max().map_or(0, |&most| most as usize + 1), open);
+        }
+    };
+    let what = "dropped where a surface runs into itself";
+    note(&mut notes, dropped, &format!("triangle was {what}"), &format!("triangles were {what}"));
     note(
         &mut notes,
         split,
         "corner was split where surfaces only touch",
         "corners were split where surfaces only touch",
     );
-    let mut kept = keep.iter();
-    triangles.retain(|_| *kept.next().unwrap_or(&false));
-    let parts = parts - specks;
+    note(
+        &mut notes,
+        open_edges,
+        "edge is open: the mesh has a hole",
+        "edges are open: the mesh has holes or is a sheet",
+    );
     if parts > 1 {
         notes.push(format!("{parts} parts do not hang together"));
     }

@@ -17,9 +17,9 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
     said(bytes).is_some_and(|count| count > 0 && HEADER as u64 + TRIANGLE as u64 * count as u64 == bytes.len() as u64)
 }
 
-/// Whether it begins as the kind in words does.
+/// Whether it begins as the kind in words does, and goes on in words: a damaged binary file may begin so, too.
 pub(super) fn is_text(text: &[u8]) -> bool {
-    text.len() >= 5 && text[..5].eq_ignore_ascii_case(b"solid")
+    text.len() >= 5 && text[..5].eq_ignore_ascii_case(b"solid") && !text.iter().take(1000).any(|&byte| byte == 0)
 }
 
 pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
@@ -40,9 +40,11 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
 
 pub(super) fn read_text(name: &str, text: &[u8]) -> Result<Soup> {
     let mut soup = Soup::default();
+    let mut ended = false;
     let mut corners: Vec<[f64; 3]> = Vec::new();
     let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
     while let Some(word) = words.next() {
+        ended = word.eq_ignore_ascii_case(b"endsolid") || ended;
         if word.eq_ignore_ascii_case(b"vertex") {
             let mut point = [0.0; 3];
             for c in &mut point {
@@ -61,8 +63,8 @@ pub(super) fn read_text(name: &str, text: &[u8]) -> Result<Soup> {
             soup.add_triangle(|| points.next().unwrap_or_default());
         }
     }
-    if !corners.is_empty() {
-        return Err(damaged(name, format!("ends within facet {}", soup.triangles.len())));
+    if !corners.is_empty() || !ended {
+        return Err(damaged(name, format!("ends after facet {} without its last line", soup.triangles.len())));
     }
     Ok(soup)
 }
