@@ -475,6 +475,7 @@ impl Settings {
             max_width: 7.0,
             position_rate: 0.2,
             width_rate: 0.1,
+            smoothness: 15.0,
             coarse_share: 0.0,
             level_weight: 1.0,
             ..several.clone()

@@ -7,7 +7,8 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// For the list of verbs.
-pub const HELP: &str = "covers shapes in styles and draws docs/gallery/fill-*.png; `shapes`, `styles` or `density` only one";
+pub const HELP: &str =
+    "covers shapes in styles and draws docs/gallery/fill-*.png; `shapes`, `styles` or `density` only one";
 
 /// Side of one picture on a sheet, and the gap round it, px.
 const CELL: u32 = 300;
@@ -26,7 +27,7 @@ impl Cell {
         let mut name = format!("{shape}-{}", style.unwrap_or("plain"));
         let mut arguments = vec![shape.to_owned()];
         if let Some(style) = style {
-            arguments.extend(["--style".into(), style.into(), "--flow".into(), "style".into()]);
+            arguments.extend(["--style".into(), style.into()]);
         }
         for (setting, value) in settings {
             name += &format!("-{value}");
@@ -43,7 +44,9 @@ pub fn run(arguments: &[String]) -> Result {
         Some((word, rest)) if ["shapes", "styles", "density"].contains(&word.as_str()) => (Some(word.as_str()), rest),
         _ => (None, arguments),
     };
-    println!("| run | length | area / length | mean | 99% | worst | near | drift | pieces | points | covering s | fit s |");
+    println!(
+        "| run | length | area / length / spacing | mean | 99% | worst | near | drift | pieces | points | covering s | fit s |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (sheet, columns, cells) in sheets() {
         if only.is_none_or(|word| word == sheet) {
@@ -59,14 +62,17 @@ fn sheets() -> [(&'static str, u32, Vec<Cell>); 3] {
     let mut styles = Vec::new();
     for shape in ["sphere", "vase", "creature"] {
         for style in ["petals", "waves", "calligraphy"] {
-            styles.extend([0.2, 0.6, 1.0].map(|strength| Cell::new(shape, Some(style), &[("style-strength", strength)])));
+            styles
+                .extend([0.2, 0.6, 1.0].map(|strength| Cell::new(shape, Some(style), &[("style-strength", strength)])));
         }
     }
     let mut density = Vec::new();
     for ink in [0.3, 0.5, 0.7] {
-        density.extend([0.0, 0.5, 1.0].map(|strength| {
-            Cell::new("creature", Some("petals"), &[("density", ink), ("style-strength", strength)])
-        }));
+        density.extend(
+            [0.0, 0.5, 1.0].map(|strength| {
+                Cell::new("creature", Some("petals"), &[("density", ink), ("style-strength", strength)])
+            }),
+        );
     }
     [("shapes", 5, shapes), ("styles", 9, styles), ("density", 3, density)]
 }
@@ -86,7 +92,8 @@ fn draw(sheet: &str, columns: u32, cells: &[Cell], extra: &[String]) -> Result {
         imageops::replace(&mut picture, &small, place(column), place(row));
     }
     let name = format!("fill-{sheet}.png");
-    let path = if extra.is_empty() { root().join("docs/gallery").join(&name) } else { root().join("out/fills").join(&name) };
+    let path =
+        if extra.is_empty() { root().join("docs/gallery").join(&name) } else { root().join("out/fills").join(&name) };
     RgbImage::from(image::DynamicImage::ImageLuma8(picture).to_rgb8()).save(&path)?;
     say(format!("the sheet is {}", path.display()));
     Ok(())
@@ -115,13 +122,13 @@ fn table_line(name: &str, out: &Path) -> Result<String> {
     let surface = &result["surface"];
     let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
     Ok(format!(
-        "| {name} | {:.1} | {:.4} | {:.3} | {:.3} | {:.2} | {:.2}% | {:.3} | {} | {} | {:.1} | {:.1} |",
+        "| {name} | {:.1} | {:.3} | {:.3} | {:.3} | {:.2} | {:.2}% | {:.3} | {} | {} | {:.1} | {:.1} |",
         number(&result["length"]),
-        number(&surface["area_per_length"]),
-        number(&surface["coverage_mean"]),
-        number(&surface["coverage_p99"]),
-        number(&surface["coverage_worst"]),
-        100.0 * number(&surface["share_near"]),
+        number(&surface["spacing_ratio"]),
+        number(&surface["mean"]),
+        number(&surface["p99"]),
+        number(&surface["worst"]),
+        100.0 * number(&surface["crowded"]),
         number(&surface["drift_max"]),
         result["components"],
         result["control_points"],

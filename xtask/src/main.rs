@@ -4,6 +4,7 @@
 mod budget;
 mod build;
 mod figures;
+mod fills;
 mod gallery;
 mod page;
 mod serve;
@@ -31,6 +32,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "budget", options: "[sizes|audits|run]", help: budget::HELP, run: budget::run },
     Verb { name: "build", options: "", help: build::HELP, run: build::run },
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
+    Verb { name: "fills", options: "[shapes|styles|density]", help: fills::HELP, run: fills::run },
     Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
     Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },

@@ -76,6 +76,8 @@ const MOST_POINTS: usize = 16_000;
 const TONES: [f64; 2] = [0.2, 1.8];
 /// Crops of a view in which its texture is looked at, and their side as a share of the view's.
 const CROPS: (usize, f64) = (6, 0.4);
+/// Share of the positions' step size where no style asks strands to bend: the density is a matter of width.
+const STILL: f64 = 0.1;
 /// Weight of the texture at full strength.
 const TEXTURE_WEIGHT: f64 = 0.02;
 /// Cosine between the normal and the way to the eye from which on a place faces it.
@@ -278,6 +280,9 @@ impl Plan {
     fn problem(&self, wire: Wire, iteration: usize, settings: &Settings) -> Problem {
         let Seen { targets, occluders, texture_masks } = self.looked_at(iteration, settings);
         let share = 1.0 / targets.len() as f64;
+        let mut recipe = recipe(settings);
+        let strength = if self.motif.is_some() { settings.style_strength } else { 0.0 };
+        recipe.position_rate_px = recipe.position_rate_px.scaled(STILL + (1.0 - STILL) * strength);
         Problem {
             view_weights: vec![share; targets.len()],
             width: width_bounds(settings),
@@ -291,7 +296,7 @@ impl Plan {
                 weight: SURFACE_WEIGHT * settings.surface_pull,
                 every: PLANES_EVERY,
             }),
-            ..Problem::for_drawings(wire, targets, recipe(settings))
+            ..Problem::for_drawings(wire, targets, recipe)
         }
     }
 
