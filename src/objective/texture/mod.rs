@@ -109,11 +109,12 @@ impl Texture {
         levels.map(|((wanted, found), share)| share * found.statistics.distance(&wanted.statistics).0).sum()
     }
 
-    /// The finest `count` levels' shares in the loss.
+    /// The finest `count` levels' shares in the loss: those of their energy, the mean amplitude's square.
     fn shares(&self, count: usize) -> impl Iterator<Item = f64> {
         let levels = &self.levels[..count.min(self.levels.len())];
-        let whole: f64 = levels.iter().map(|level| level.amplitude).sum();
-        levels.iter().map(move |level| level.amplitude / whole)
+        let energy = |level: &Level| level.amplitude.powi(2);
+        let whole: f64 = levels.iter().map(energy).sum();
+        levels.iter().map(move |level| energy(level) / whole)
     }
 }
 
