@@ -62,11 +62,15 @@ impl Depths {
             high = high.min(flat[0].max(flat[1]).max(flat[2]) + 0.5);
         }
         for y in low.y.ceil() as usize..high.y.max(0.0) as usize {
+            let row = sides.y_axis * (y as f64 + 0.5) + sides.z_axis;
             for x in low.x.ceil() as usize..high.x.max(0.0) as usize {
-                let share = sides * DVec3::new(x as f64 + 0.5, y as f64 + 0.5, 1.0);
+                let share = sides.x_axis * (x as f64 + 0.5) + row;
                 let inside = if determinant > 0.0 { share.min_element() >= 0.0 } else { share.max_element() <= 0.0 };
+                if !inside {
+                    continue;
+                }
                 let sum = share.element_sum() / determinant;
-                if !inside || sum <= 0.0 {
+                if sum <= 0.0 {
                     continue;
                 }
                 let weights = share / (determinant * sum);

@@ -82,7 +82,7 @@ pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
         middles[part as usize] += area(t) / 3.0 * t.iter().map(|&c| DVec3::from(positions[c as usize])).sum::<DVec3>();
     }
     let total: f64 = areas.iter().sum();
-    if !(total > 1e-12) {
+    if total.is_nan() || total <= 1e-12 {
         return Err(flat());
     }
     // Six times the volume as seen from each part's middle: below zero if most of it faces inward.
@@ -160,7 +160,7 @@ fn into_unit_box(positions: &mut [[f64; 3]], triangles: &[[u32; 3]]) -> bool {
         (low, high) = (low.min(point), high.max(point));
     }
     let (middle, half) = (0.5 * low + 0.5 * high, (0.5 * high - 0.5 * low).max_element());
-    if !(half > 0.0 && half >= 1e-300) {
+    if half < 1e-300 {
         return false;
     }
     for point in positions {

@@ -120,7 +120,7 @@ impl Banded {
 /// Gauss on a few unknowns of a positive definite system.
 fn dense(mut matrix: [[f64; BORDER]; BORDER], mut sides: Vec<[f64; 4]>) -> Option<Vec<[f64; 4]>> {
     for i in 0..BORDER {
-        if !(matrix[i][i] > 0.0) {
+        if matrix[i][i].is_nan() || matrix[i][i] <= 0.0 {
             return None;
         }
         for j in (0..BORDER).filter(|&j| j != i) {

@@ -59,7 +59,11 @@ fn indices(property: Property) -> Vec<u32> {
 }
 
 pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
-    let broken = |problem: &dyn std::fmt::Display| damaged(name, format!("cannot be read ({problem})"));
+    // The reader's first line says where; it goes on over several.
+    let broken = |problem: &dyn std::fmt::Display| {
+        let words = problem.to_string();
+        damaged(name, format!("cannot be read ({})", words.lines().next().unwrap_or_default().trim_end_matches('.')))
+    };
     let parser = Parser::<Element>::new();
     let mut reader = Reader::new(bytes);
     let header = parser.read_header(&mut reader).map_err(|problem| broken(&problem))?;
