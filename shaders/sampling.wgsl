@@ -19,7 +19,7 @@ const GROUP: u32 = 32u;
 var<workgroup> images: array<vec4f, GROUP>;
 var<workgroup> pulls: array<vec3f, GROUP>;
 
-/// A workgroup a control point, its samples added up as a tree of fixed shape; the length pulls along the same way.
+/// A workgroup a control point, its samples added up as a tree of fixed shape; length and surface pull along the same way.
 @compute @workgroup_size(32)
 fn sample_transpose(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) local: u32) {
     var image = vec4f();
@@ -28,7 +28,10 @@ fn sample_transpose(@builtin(workgroup_id) group: vec3u, @builtin(local_invocati
         let term = sampling_terms[i];
         image += term.weight * d_samples[term.row];
         if now.length > 0.0 {
-            pull += term.weight * d_length(term.row);
+            pull += term.weight * now.length * d_length(term.row);
+        }
+        if scene.planes > 0u {
+            pull += term.weight * d_surface(term.row);
         }
     }
     images[local] = image;
@@ -43,6 +46,6 @@ fn sample_transpose(@builtin(workgroup_id) group: vec3u, @builtin(local_invocati
     }
     if local == 0u {
         d_points_image[group.x] = images[0];
-        d_points[group.x] = images[0] + vec4f(now.length * pulls[0], 0.0);
+        d_points[group.x] = images[0] + vec4f(pulls[0], 0.0);
     }
 }

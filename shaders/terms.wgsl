@@ -1,25 +1,8 @@
 // The row of loss terms, and whether it is the best: one workgroup adds everything up, in fixed order.
 
-const GROUP: u32 = 256u;
-
-var<workgroup> tree: array<f32, GROUP>;
-
-fn sum_up(value: f32, local: u32) -> f32 {
-    workgroupBarrier();
-    tree[local] = value;
-    workgroupBarrier();
-    for (var half = GROUP / 2u; half > 0u; half /= 2u) {
-        if local < half {
-            tree[local] += tree[local + half];
-        }
-        workgroupBarrier();
-    }
-    return tree[0];
-}
-
 @compute @workgroup_size(256)
 fn add_terms(@builtin(local_invocation_index) local: u32) {
-    let row = now.row * (scene.views + 4u);
+    let row = now.row * (scene.views + 6u);
     var total = 0.0;
     for (var view = 0u; view < scene.views; view++) {
         var image = 0.0;
@@ -46,10 +29,16 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
     }
     path = now.length * sum_up(path, local);
     if local == 0u {
-        terms[row] = total + jerk + path;
+        var surface = 0.0;
+        if scene.planes > 0u {
+            surface = partials[scene.surface_partial];
+        }
+        terms[row] = total + jerk + path + surface;
         terms[row + scene.views + 1u] = jerk;
         terms[row + scene.views + 2u] = path;
-        terms[row + scene.views + 3u] = f32(atomicLoad(&cells[0]));
+        terms[row + scene.views + 3u] = surface;
+        terms[row + scene.views + 4u] = 0.0;
+        terms[row + scene.views + 5u] = f32(atomicLoad(&cells[0]));
         let loss = total * now.loss_scale;
         let is_best = loss < best[0].x;
         best[0] = vec4f(select(best[0].x, loss, is_best), f32(is_best), 0.0, 0.0);

@@ -10,8 +10,8 @@ use wire4d::Error;
 use wire4d::gpu::{Absence, Device, FaultKind, GpuEngine, Kind, SELF_CHECK_BARS, parities, self_check};
 use wire4d::objective::Pyramid;
 use wire4d::optimize::{
-    Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, Session, State, Step, Tally, Work,
-    term_count, wait,
+    Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, SceneView, Session, State, Step,
+    Tally, Work, term_count, wait,
 };
 use wire4d::view::View;
 use wire4d::wire::Wire;
@@ -165,6 +165,12 @@ impl Engine for Crooked {
     }
     fn set_target(&mut self, view: usize, ink: &[f32]) {
         self.0.set_target(view, ink);
+    }
+    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+        self.0.set_views(views)
+    }
+    fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
+        self.0.set_planes(planes);
     }
     fn evaluate<'a>(
         &'a mut self,

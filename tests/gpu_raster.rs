@@ -7,30 +7,19 @@ mod raster_wires;
 use gpu_common::{device, distance, step};
 use raster_wires::{FAMILIES, SIZE, Wires, wires};
 use wire4d::gpu::{Pipeline, Slot};
-use wire4d::objective::Pyramid;
-use wire4d::optimize::{RasterKind, Scene, SceneView, wait};
+use wire4d::optimize::{Scene, SceneView, wait};
 use wire4d::raster::{ExactRaster, Raster};
 use wire4d::rng::Rng;
 use wire4d::view::{Image, View};
-use wire4d::wire::{Jerk, LinearMap, Row, Wire};
+use wire4d::wire::{LinearMap, Row, Wire};
 
 /// A scene whose samples are drawn as the strokes of `wires`; the two views share their size only.
 fn scene(wires: &Wires) -> Scene {
     let rows = (0..wires.vertices.len()).map(|_| Row { first: 0, weights: [0.25; 4] }).collect();
     let wire = Wire::open_uniform(vec![[0.0, 0.0, 0.0, 0.1]; 4]).unwrap();
-    let view = |width: usize| SceneView {
-        camera: View::orthographic("any", 0.0, 0.0, 2.0, SIZE).camera(),
-        target: Image::new(width, SIZE),
-        weight: 1.0,
-    };
-    Scene {
-        sampling: LinearMap::new(4, rows),
-        strokes: wires.strokes.clone(),
-        jerk: Jerk::new(&wire),
-        views: vec![view(SIZE), view(SIZE - 7)],
-        raster: RasterKind::Exact,
-        pyramid: Pyramid::AveragePool,
-    }
+    let camera = View::orthographic("any", 0.0, 0.0, 2.0, SIZE).camera();
+    let views = [SIZE, SIZE - 7].map(|width| SceneView::new(camera, Image::new(width, SIZE), 1.0));
+    Scene { sampling: LinearMap::new(4, rows), strokes: wires.strokes.clone(), ..Scene::new(&wire, 1, views.to_vec()) }
 }
 
 struct Drawn {

@@ -8,7 +8,7 @@ use wire4d::objective::Pyramid;
 use wire4d::optimize::{AdamOptions, CpuEngine, Engine, RasterKind, Scene, SceneView, Step, term_count};
 use wire4d::rng::Rng;
 use wire4d::view::{Projection, Target};
-use wire4d::wire::{Form, Jerk, Wire};
+use wire4d::wire::{Form, Wire};
 
 fn step() -> Step {
     Step {
@@ -19,19 +19,14 @@ fn step() -> Step {
         jerk_width: 2e-3,
         length: 1e-2,
         width_bounds: [0.0, 1.0],
-        loss_scale: 1.0,
-        gradient_share: 0.0,
+        ..Step::default()
     }
 }
 
 fn scene(wire: &Wire, targets: &[Target], raster: RasterKind, pyramid: Pyramid) -> Scene {
-    let (sampling, strokes) = wire.sampling_map(8, true);
-    let views = targets.iter().enumerate().map(|(v, target)| SceneView {
-        camera: target.view.camera(),
-        target: target.ink.clone(),
-        weight: [1.0, 0.5, 2.0][v],
-    });
-    Scene { sampling, strokes, jerk: Jerk::new(wire), views: views.collect(), raster, pyramid }
+    let views = targets.iter().zip([1.0, 0.5, 2.0]);
+    let views = views.map(|(target, weight)| SceneView::new(target.view.camera(), target.ink.clone(), weight));
+    Scene { raster, pyramid, ..Scene::new(wire, 8, views.collect()) }
 }
 
 /// How far the gradient is from central differences of the loss along random directions: the largest difference over

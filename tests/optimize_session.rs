@@ -426,12 +426,15 @@ fn targets_can_be_exchanged_on_the_way() {
     others.iter_mut().for_each(|target| target.ink.data.reverse());
     let mut session = Session::new(problem.clone()).unwrap();
     session.step(10);
-    assert!(matches!(session.set_targets(others[..2].to_vec()), Err(Error::Pictures { .. })), "fewer of them");
+    assert!(
+        matches!(session.set_views(others[..2].to_vec(), Vec::new()), Err(Error::Pictures { .. })),
+        "fewer of them"
+    );
     let mut bright = others.clone();
     bright[1].ink.data[0] = 2.0;
-    assert!(session.set_targets(bright).is_err(), "ink that is none");
+    assert!(session.set_views(bright, Vec::new()).is_err(), "ink that is none");
     assert_eq!(session.problem().targets, problem.targets, "what is refused changes nothing");
-    session.set_targets(others.clone()).unwrap();
+    session.set_views(others.clone(), Vec::new()).unwrap();
     assert_eq!(session.best(), session.wire(), "losses so far are no measure any more");
     session.step(1);
     // The same as a session of those targets from there.

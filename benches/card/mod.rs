@@ -10,12 +10,9 @@ use cost::Counts;
 use std::ops::RangeInclusive;
 use std::time::Instant;
 use wire4d::gpu::{Device, Kind, Pipeline, STAGES, Slot, Stage};
-use wire4d::objective::Pyramid;
-use wire4d::optimize::{
-    Adam, AdamOptions, CpuEngine, Engine, RasterKind, Scene, SceneView, State, Step, Tally, term_count, wait,
-};
+use wire4d::optimize::{Adam, AdamOptions, CpuEngine, Engine, Scene, SceneView, State, Step, Tally, term_count, wait};
 use wire4d::view::View;
-use wire4d::wire::{Jerk, Wire};
+use wire4d::wire::Wire;
 
 /// A wire, the pictures it is fitted to, and the milliseconds an iteration may take on a data-centre card.
 pub struct Case {
@@ -72,17 +69,15 @@ impl Case {
         let knots: Vec<f64> = (0..more).map(|i| (i as f64 + 0.37) * spans / more as f64).collect();
         let (truth, _) = curve.insert_knots(&knots).expect("knots inside");
         let start: Wire = common::perturbed(&truth, 0.01, 8);
-        let (sampling, strokes) = start.sampling_map(self.samples_per_span, true);
         // Views all round, no two opposite.
         let view = |v: usize| {
             let (turn, lift) = (v as f64 * std::f64::consts::PI / self.views as f64, 0.6 * (v as f64).sin());
             let view = View::orthographic("any", turn, lift, 2.2, self.size_px);
-            SceneView { camera: view.camera(), target: common::draw(&truth, &view), weight: 1.0 }
+            SceneView::new(view.camera(), common::draw(&truth, &view), 1.0)
         };
         let views = (0..self.views).map(view).collect();
-        let (raster, pyramid) = (RasterKind::Exact, Pyramid::AveragePool);
         let points = start.control_points().iter().map(|point| point.map(|c| c as f32)).collect();
-        (Scene { sampling, strokes, jerk: Jerk::new(&start), views, raster, pyramid }, points)
+        (Scene::new(&start, self.samples_per_span, views), points)
     }
 }
 

@@ -5,6 +5,7 @@ use super::fault::{Answer, FaultKind};
 use super::layout::{JOINT_BYTES, MOST_LEVELS, SHAPE_BYTES};
 use super::stage::{SLOTS, Slot};
 use super::upload::Upload;
+use crate::optimize::term_count;
 use bytemuck::Pod;
 use futures_channel::oneshot;
 use wgpu::BufferUsages as Usage;
@@ -53,7 +54,8 @@ impl Buffers {
                 Slot::JerkTerms => size_of_val(&*upload.jerk.terms),
                 Slot::Levels => size_of_val(&*upload.levels),
                 Slot::Circles => size_of_val(&*upload.circles),
-                Slot::TargetInk | Slot::Coverage => 4 * pixels,
+                Slot::TargetInk | Slot::OccluderDepth | Slot::Coverage => 4 * pixels,
+                Slot::Planes => size_of_val(&*upload.planes),
                 Slot::State => 3 * points * vec4,
                 Slot::Best => (1 + points) * vec4,
                 Slot::GradientNorms => 4 * points,
@@ -67,7 +69,7 @@ impl Buffers {
                 Slot::Partials => 4 * upload.partials,
                 Slot::DPieces => nodes * PULLS * vec4,
                 Slot::DPointsImage | Slot::DPoints => points * vec4,
-                Slot::Terms => 4 * batch * (views + 4),
+                Slot::Terms => 4 * batch * (term_count(views) + 1),
                 Slot::Visible => 8 * 4 * nodes,
             }
         };
@@ -98,7 +100,6 @@ impl Buffers {
             SLOTS.iter().map(create).collect()
         });
         let made = Buffers { buffers: buffers.await?, staging: None };
-        made.write(device, Slot::Scene, 0, std::slice::from_ref(scene));
         made.write(device, Slot::SamplingRows, 0, &upload.sampling.rows);
         made.write(device, Slot::SamplingStarts, 0, &upload.sampling.starts);
         made.write(device, Slot::SamplingTerms, 0, &upload.sampling.terms);
@@ -108,11 +109,19 @@ impl Buffers {
         made.write(device, Slot::JerkTerms, 0, &upload.jerk.terms);
         made.write(device, Slot::Levels, 0, &upload.levels);
         made.write(device, Slot::Circles, 0, &upload.circles);
-        made.write(device, Slot::TargetInk, 0, &upload.target_ink);
+        made.write(device, Slot::Planes, 0, &upload.planes);
+        made.write_views(device, upload);
         for level in 0..MOST_LEVELS {
             made.write(device, Slot::Pass, level * UNIFORM_STRIDE, &[level as u32]);
         }
         Ok(made)
+    }
+
+    /// Writes what views bring along.
+    pub fn write_views(&self, device: &Device, upload: &Upload) {
+        self.write(device, Slot::Scene, 0, std::slice::from_ref(&upload.scene));
+        self.write(device, Slot::TargetInk, 0, &upload.target_ink);
+        self.write(device, Slot::OccluderDepth, 0, &upload.occluder_depth);
     }
 
     pub fn get(&self, slot: Slot) -> &wgpu::Buffer {

@@ -3,12 +3,11 @@
 
 use super::clock::now_ms;
 use super::{Absence, Device, GpuEngine};
-use crate::objective::Pyramid;
 use crate::optimize::{
-    Adam, AdamOptions, CpuEngine, Engine, Picture, RasterKind, Scene, SceneView, State, Step, Tally, term_count,
+    Adam, AdamOptions, CpuEngine, Engine, Picture, Scene, SceneView, State, Step, Tally, term_count,
 };
 use crate::view::{Image, View};
-use crate::wire::{Jerk, Wire};
+use crate::wire::Wire;
 
 /// Largest differences that pass, all but the coverage's relative.
 pub const SELF_CHECK_BARS: Parity =
@@ -155,15 +154,13 @@ fn spiral(count: usize) -> Vec<[f64; 4]> {
 /// A wire through these points in three square views, and the numbers of an iteration.
 fn example(points: &[[f64; 4]], size_px: usize) -> (Scene, Vec<[f32; 4]>, Step) {
     let wire = Wire::open_uniform(points.to_vec()).expect("the examples are wires");
-    let (sampling, strokes) = wire.sampling_map(3, true);
     let view = |view: View| {
         let ink = (0..view.width_px * view.height_px).map(|i| (i % 7) as f32 / 7.0).collect();
         let target = Image { width: view.width_px, height: view.height_px, data: ink };
-        SceneView { camera: view.camera(), target, weight: 1.0 }
+        SceneView::new(view.camera(), target, 1.0)
     };
     let views = View::canonical(2.0, size_px).map(view).to_vec();
-    let jerk = Jerk::new(&wire);
-    let scene = Scene { sampling, strokes, jerk, views, raster: RasterKind::Exact, pyramid: Pyramid::AveragePool };
+    let scene = Scene::new(&wire, 3, views);
     let step = Step {
         rates: [1e-4; 4],
         adam: AdamOptions::default(),
@@ -173,7 +170,7 @@ fn example(points: &[[f64; 4]], size_px: usize) -> (Scene, Vec<[f32; 4]>, Step) 
         length: 1e-3,
         width_bounds: [0.0, 2.0],
         loss_scale: 1.0,
-        gradient_share: 0.0,
+        ..Step::default()
     };
     (scene, points.iter().map(|point| point.map(|c| c as f32)).collect(), step)
 }

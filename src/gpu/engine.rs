@@ -6,7 +6,7 @@ use super::pipeline::Pipeline;
 use super::stage::Slot;
 use super::{Absence, Device};
 use crate::Error;
-use crate::optimize::{CpuEngine, Engine, Picture, Place, Scene, State, Step, Tally, Work, term_count};
+use crate::optimize::{CpuEngine, Engine, Picture, Place, Scene, SceneView, State, Step, Tally, Work, term_count};
 
 /// Iterations a call, at most.
 const BATCH: usize = 64;
@@ -146,9 +146,35 @@ impl Engine for GpuEngine {
             Now::Device(pipeline) => {
                 let Some(scene) = &mut self.scene else { return };
                 scene.views[view].target.data.copy_from_slice(ink);
-                let first = scene.views[..view].iter().map(|view| view.target.data.len()).sum();
                 // If that fails the next call does too, and starts from the scene.
-                let _ = pipeline.write_at(Slot::TargetInk, first, ink);
+                let _ = pipeline.set_target(view, ink);
+            }
+        }
+    }
+
+    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+        match &mut self.now {
+            Now::Processor(cpu) => cpu.set_views(views),
+            Now::Device(pipeline) => {
+                // Likewise.
+                let _ = pipeline.set_views(&views);
+                if let Some(scene) = &mut self.scene {
+                    scene.views = views;
+                }
+                Work::Done(())
+            }
+        }
+    }
+
+    fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
+        match &mut self.now {
+            Now::Processor(cpu) => cpu.set_planes(planes),
+            Now::Device(pipeline) => {
+                // Likewise.
+                let _ = pipeline.set_planes(&planes);
+                if let Some(scene) = &mut self.scene {
+                    scene.planes = planes;
+                }
             }
         }
     }

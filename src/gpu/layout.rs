@@ -29,7 +29,7 @@ pub struct Step {
     pub row: u32,
     pub loss_scale: f32,
     pub gradient_share: f32,
-    pub padding: u32,
+    pub surface: f32,
 }
 
 /// A view's camera, and where its share of each buffer begins.
@@ -54,6 +54,9 @@ pub struct View {
     pub first_partial: u32,
     pub partials: u32,
     pub fine_levels: u32,
+    pub steepness: f32,
+    pub bias_world: f32,
+    pub padding: [u32; 2],
 }
 
 /// Counts, regular polygons and views.
@@ -68,6 +71,9 @@ pub struct Scene {
     pub cells: u32,
     pub entries: u32,
     pub gaussian: u32,
+    pub surface_partial: u32,
+    pub planes: u32,
+    pub padding: [u32; 2],
     pub rings: [[f32; 4]; RINGS],
     pub view: [View; MOST_VIEWS],
 }
@@ -126,13 +132,13 @@ macro_rules! layouts {
 layouts! {
     Step {
         rates, width_bounds, level_ratio, jerk_position, jerk_width, length, beta1, beta2, correction1, correction2,
-        epsilon, per_point, row, loss_scale, gradient_share,
+        epsilon, per_point, row, loss_scale, gradient_share, surface,
     }
     View {
         right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,
-        rows, levels, weight, first_partial, partials, fine_levels,
+        rows, levels, weight, first_partial, partials, fine_levels, steepness, bias_world,
     }
-    Scene { points, samples, views, spans, pixels, cells, entries, gaussian, rings, view }
+    Scene { points, samples, views, spans, pixels, cells, entries, gaussian, surface_partial, planes, rings, view }
     Row { first, weights }
     Term { row, weight }
     Level { offset, width, height, first_partial }

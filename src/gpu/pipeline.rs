@@ -5,7 +5,7 @@ use super::device::Device;
 use super::fault::{Answer, FaultKind};
 use super::stage::{Access, Over, SLOTS, STAGES, Slot, Stage, outline_groups};
 use super::upload::{LOSS_GROUP, Upload, pack};
-use crate::optimize::{Scene, Step, wait};
+use crate::optimize::{Scene, SceneView, Step, wait};
 use bytemuck::Pod;
 use std::ops::Range;
 
@@ -131,12 +131,44 @@ impl Pipeline {
     /// # Errors
     /// A fault without a scene.
     pub fn write<T: Pod>(&self, slot: Slot, values: &[T]) -> Answer<()> {
-        self.write_at(slot, 0, values)
+        self.loaded()?.buffers.write(&self.device, slot, 0, values);
+        Ok(())
     }
 
-    /// Overwrites a buffer from its value `first` on.
-    pub(super) fn write_at<T: Pod>(&self, slot: Slot, first: usize, values: &[T]) -> Answer<()> {
-        self.loaded()?.buffers.write(&self.device, slot, first * size_of::<T>(), values);
+    /// Overwrites the target of view `view`.
+    ///
+    /// # Errors
+    /// A fault without a scene.
+    pub(super) fn set_target(&mut self, view: usize, ink: &[f32]) -> Answer<()> {
+        let fault = self.no_scene();
+        let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
+        let first = upload.scene.view[view].first_pixel as usize;
+        upload.target_ink[first..first + ink.len()].copy_from_slice(ink);
+        buffers.write(&self.device, Slot::TargetInk, first * size_of::<f32>(), ink);
+        Ok(())
+    }
+
+    /// Overwrites cameras, weights, targets and occluders with those of as many views of the same sizes.
+    ///
+    /// # Errors
+    /// A fault without a scene.
+    pub(super) fn set_views(&mut self, views: &[SceneView]) -> Answer<()> {
+        let fault = self.no_scene();
+        let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
+        upload.set_views(views);
+        buffers.write_views(&self.device, upload);
+        Ok(())
+    }
+
+    /// Overwrites the planes with as many others.
+    ///
+    /// # Errors
+    /// A fault without a scene.
+    pub(super) fn set_planes(&mut self, planes: &[[f32; 4]]) -> Answer<()> {
+        let fault = self.no_scene();
+        let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
+        upload.planes.copy_from_slice(planes);
+        buffers.write(&self.device, Slot::Planes, 0, planes);
         Ok(())
     }
 
@@ -246,6 +278,7 @@ impl Loaded {
             Over::Views => dispatch(1, views, 0),
             Over::Rows => dispatch(self.most_rows(), views, 0),
             Over::Once => dispatch(1, 1, 0),
+            Over::Planes => dispatch(usize::from(scene.planes > 0), 1, 0),
             Over::Levels { finest_first } => {
                 for pass in 0..self.upload.depth {
                     let level = if finest_first { pass } else { self.upload.depth - 1 - pass };

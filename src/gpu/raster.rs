@@ -4,11 +4,10 @@ use super::fault::Answer;
 use super::pipeline::Pipeline;
 use super::stage::Slot;
 use super::{Device, Fault};
-use crate::objective::Pyramid;
-use crate::optimize::{RasterKind, Scene, SceneView, Step, wait};
+use crate::optimize::{Scene, SceneView, Step, wait};
 use crate::raster::{FARTHEST_PX, Raster};
 use crate::view::{Image, View};
-use crate::wire::{Jerk, LinearMap, Row, Stroke, Wire};
+use crate::wire::{LinearMap, Row, Stroke, Wire};
 
 /// Draws on a device and waits for it.
 pub struct GpuRaster {
@@ -93,12 +92,6 @@ fn scene(width: usize, height: usize, count: usize, strokes: &[Stroke]) -> Scene
     let rows = (0..count).map(|_| Row { first: 0, weights: [0.25; 4] }).collect();
     let wire = Wire::open_uniform(vec![[0.0, 0.0, 0.0, 0.1]; 4]).expect("four points make a wire");
     let camera = View::orthographic("any", 0.0, 0.0, 2.0, height).camera();
-    Scene {
-        sampling: LinearMap::new(4, rows),
-        strokes: strokes.to_vec(),
-        jerk: Jerk::new(&wire),
-        views: vec![SceneView { camera, target: Image::new(width, height), weight: 1.0 }],
-        raster: RasterKind::Exact,
-        pyramid: Pyramid::AveragePool,
-    }
+    let views = vec![SceneView::new(camera, Image::new(width, height), 1.0)];
+    Scene { sampling: LinearMap::new(4, rows), strokes: strokes.to_vec(), ..Scene::new(&wire, 1, views) }
 }

@@ -28,6 +28,8 @@ slots! {
     Levels,
     Circles,
     TargetInk,
+    OccluderDepth,
+    Planes,
     State,
     Best,
     GradientNorms,
@@ -91,6 +93,8 @@ pub(super) enum Over {
     Rows,
     /// A single workgroup.
     Once,
+    /// A single workgroup where there are planes, else none.
+    Planes,
 }
 
 /// Nodes whose straight edges a workgroup traces, as in `shaders/outline.wgsl`.
@@ -142,19 +146,22 @@ const CELLS: &str = text!("cells");
 const HIDDEN: &str = text!("hidden");
 const OUTLINE: &str = text!("outline");
 const WALK: &str = text!("walk");
+const VISIBILITY: &str = text!("visibility");
+/// Sums of a workgroup of 256.
+const SUM: &str = text!("sum");
 
 /// All stages, in the order of an iteration.
 pub const STAGES: &[Stage] = &[
     Stage {
         name: "sample",
-        texts: &[LAYOUT, text!("length"), text!("sampling")],
+        texts: &[LAYOUT, text!("length"), text!("surface"), text!("sampling")],
         slots: &[Slot::Scene, Slot::SamplingRows, Slot::State, Slot::Samples],
         over: Over::Samples,
     },
     Stage {
         name: "project",
-        texts: &[LAYOUT, text!("project")],
-        slots: &[Slot::Scene, Slot::Links, Slot::Samples, Slot::Vertices],
+        texts: &[LAYOUT, VISIBILITY, text!("project")],
+        slots: &[Slot::Scene, Slot::Links, Slot::OccluderDepth, Slot::Samples, Slot::Vertices],
         over: Over::SamplesAndViews(1),
     },
     Stage {
@@ -247,18 +254,20 @@ pub const STAGES: &[Stage] = &[
     },
     Stage {
         name: "project_vjp",
-        texts: &[LAYOUT, text!("project")],
-        slots: &[Slot::Scene, Slot::Samples, Slot::DVertices, Slot::DSamples],
+        texts: &[LAYOUT, VISIBILITY, text!("project")],
+        slots: &[Slot::Scene, Slot::OccluderDepth, Slot::Samples, Slot::DVertices, Slot::DSamples],
         over: Over::Samples,
     },
     Stage {
         name: "sample_transpose",
-        texts: &[LAYOUT, text!("length"), text!("sampling")],
+        texts: &[LAYOUT, text!("length"), text!("surface"), text!("sampling")],
         slots: &[
             Slot::Step,
+            Slot::Scene,
             Slot::SamplingStarts,
             Slot::SamplingTerms,
             Slot::Links,
+            Slot::Planes,
             Slot::Samples,
             Slot::DSamples,
             Slot::DPointsImage,
@@ -281,8 +290,14 @@ pub const STAGES: &[Stage] = &[
         over: Over::Points,
     },
     Stage {
+        name: "measure_surface",
+        texts: &[LAYOUT, text!("surface"), SUM, text!("measure_surface")],
+        slots: &[Slot::Step, Slot::Scene, Slot::Planes, Slot::Samples, Slot::Partials],
+        over: Over::Planes,
+    },
+    Stage {
         name: "add_terms",
-        texts: &[LAYOUT, text!("length"), text!("jerk"), text!("terms")],
+        texts: &[LAYOUT, text!("length"), text!("jerk"), SUM, text!("terms")],
         slots: &[
             Slot::Step,
             Slot::Scene,

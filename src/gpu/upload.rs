@@ -5,14 +5,17 @@ use super::fault::{Answer, Fault, FaultKind};
 use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
 use super::stage::{NODES, outline_groups};
 use crate::objective::{Pyramid, level_sizes};
-use crate::optimize::{Scene, Step};
+use crate::optimize::{Scene, SceneView, Step};
 use crate::raster::{CELL_PX, rings};
+use crate::view::Occluder;
 use crate::wire::{LinearMap, Stroke};
 
 /// No such sample.
 const NONE: u32 = u32::MAX;
 /// Cell entries there is room for at first. Most polygons touch one to four cells.
 const ENTRIES_A_POLYGON: usize = 6;
+/// The depth of the ground: not every device knows infinity.
+const GROUND_DEPTH: f32 = 1e9;
 /// Values a workgroup of the loss sums up.
 pub(super) const LOSS_GROUP: usize = 256;
 /// The largest level of a pyramid that is left to a single workgroup: 64 x 64 take it about as long as a pass more.
@@ -27,6 +30,9 @@ pub(super) struct Upload {
     pub levels: Vec<Level>,
     pub circles: Vec<[f32; 2]>,
     pub target_ink: Vec<f32>,
+    /// Empty where nothing hides anything.
+    pub occluder_depth: Vec<f32>,
+    pub planes: Vec<[f32; 4]>,
     /// Entries of the pyramid, the loss's partial sums, the rows of all pictures.
     pub pyramid: usize,
     pub partials: usize,
@@ -101,14 +107,7 @@ impl Upload {
                 return Err(refuse("pixels a view", width * height, most_groups * LOSS_GROUP));
             }
             let (columns, cell_rows) = (width.div_ceil(CELL_PX as usize), height.div_ceil(CELL_PX as usize));
-            let camera = &view.camera;
             scene.view[v] = View {
-                right: camera.right,
-                down: camera.down,
-                forward: camera.forward,
-                centre_px: camera.centre_px,
-                scale: camera.scale,
-                perspective: u32::from(camera.perspective),
                 width: width as u32,
                 height: height as u32,
                 first_pixel: pixels as u32,
@@ -116,7 +115,6 @@ impl Upload {
                 first_cell: cells as u32,
                 columns: columns as u32,
                 rows: cell_rows as u32,
-                weight: view.weight,
                 ..View::default()
             };
             pixels += width * height;
@@ -144,6 +142,7 @@ impl Upload {
             }
             depth = depth.max(fine);
         }
+        scene.surface_partial = partials as u32;
         let samples = from.sampling.rows().len();
         // The widest dispatches: the outline's, and a workgroup a control point.
         if outline_groups(samples, rows) > most_groups {
@@ -166,19 +165,44 @@ impl Upload {
         scene.cells = cells as u32;
         scene.entries = (ENTRIES_A_POLYGON * 2 * samples * count + cells) as u32;
         scene.gaussian = u32::from(from.pyramid == Pyramid::Gaussian);
-        Ok(Upload {
+        scene.planes = from.planes.len() as u32;
+        let mut upload = Upload {
             scene,
             sampling: Map::new(&from.sampling),
             jerk: Map::new(from.jerk.rows()),
             links: links(&from.strokes, samples),
             levels,
             circles,
-            target_ink: from.views.iter().flat_map(|view| view.target.data.iter().copied()).collect(),
+            target_ink: Vec::new(),
+            occluder_depth: Vec::new(),
+            planes: from.planes.clone(),
             pyramid: offset,
-            partials,
+            partials: partials + 1,
             rows,
             depth,
-        })
+        };
+        upload.set_views(&from.views);
+        Ok(upload)
+    }
+
+    /// What views bring along, where each begins being known.
+    pub fn set_views(&mut self, views: &[SceneView]) {
+        self.target_ink.clear();
+        self.occluder_depth.clear();
+        for (packed, view) in self.scene.view.iter_mut().zip(views) {
+            let SceneView { camera, target, weight, occluder } = view;
+            (packed.right, packed.down, packed.forward) = (camera.right, camera.down, camera.forward);
+            (packed.centre_px, packed.scale) = (camera.centre_px, camera.scale);
+            (packed.perspective, packed.weight) = (u32::from(camera.perspective), *weight);
+            self.target_ink.extend_from_slice(&target.data);
+            (packed.steepness, packed.bias_world) = (0.0, 0.0);
+            if let Some(Occluder { depth, steepness, bias_world }) = occluder {
+                (packed.steepness, packed.bias_world) = (*steepness, *bias_world);
+                // Views before this one may have none.
+                self.occluder_depth.resize(packed.first_pixel as usize, GROUND_DEPTH);
+                self.occluder_depth.extend(depth.data.iter().map(|z| z.min(GROUND_DEPTH)));
+            }
+        }
     }
 }
 
@@ -201,6 +225,6 @@ pub(super) fn pack(step: &Step, count: u32, row: usize) -> layout::Step {
         row: row as u32,
         loss_scale: step.loss_scale,
         gradient_share: step.gradient_share,
-        ..Default::default()
+        surface: step.surface,
     }
 }

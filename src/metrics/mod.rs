@@ -4,12 +4,14 @@
 //! the object fits the unit ball.
 
 mod connectivity;
+mod evenness;
 pub mod perceptual;
 mod picture;
 mod pieces;
 mod report;
 mod shape;
 
+pub use evenness::Evenness;
 pub use picture::{PictureMatch, match_pictures, match_pictures_with, precision_2px, psnr_db, recall_2px, soft_iou};
 pub use report::{
     ArrangementReport, BentReport, EventReport, REPORT_SIZE_PX, Report, ResultReport, TimeReport, ViewReport,

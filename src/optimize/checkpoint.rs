@@ -10,7 +10,7 @@ use crate::wire::Wire;
 use crate::{Error, Result};
 
 /// The present format; others are refused.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// A session at one iteration, without its problem. Serialises to any format that keeps `f32` exactly.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -25,6 +25,8 @@ pub struct Checkpoint {
     best_points: Vec<[f32; 4]>,
     /// None before the first loss of a stage.
     best_loss: Option<f32>,
+    /// Where the planes of the pull to a surface were laid; none without such a pull.
+    plane_points: Vec<[f32; 4]>,
     fields: Vec<SavedField>,
     gradient_norms: Vec<f32>,
     gradient_count: u32,
@@ -120,6 +122,7 @@ impl Session {
             best_wire: self.best_wire.clone(),
             best_points: self.tally.best_points.clone(),
             best_loss: self.tally.best_loss.is_finite().then_some(self.tally.best_loss),
+            plane_points: self.plane_points.clone(),
             fields,
             gradient_norms: self.tally.gradient_norms.clone(),
             gradient_count: self.gradient_count,
@@ -169,13 +172,15 @@ impl Session {
         let (state, good) = restored.ok_or_else(|| refuse("its control points are damaged"))?;
         let best_fits = saved.best_points.len() == saved.best_wire.control_points().len();
         let norms_fit = saved.gradient_norms.len() == count;
-        let finite = saved.best_points.iter().flatten().chain(&saved.gradient_norms).all(|value| value.is_finite());
+        let planes_fit = [0, count].contains(&saved.plane_points.len());
+        let points = saved.best_points.iter().chain(&saved.plane_points).flatten();
+        let finite = points.chain(&saved.gradient_norms).all(|value| value.is_finite());
         let takes = |wire: &Wire, points: &[[f32; 4]]| {
             let points: Vec<_> = points.iter().map(|point| point.map(f64::from)).collect();
             wire.clone().set_control_points(&points).is_ok()
         };
         let taken = takes(&saved.wire, &state.points) && takes(&saved.best_wire, &saved.best_points);
-        if !(best_fits && norms_fit && finite && taken) {
+        if !(best_fits && norms_fit && planes_fit && finite && taken) {
             return Err(refuse("its control points are damaged"));
         }
         let grid = session.problem.recipe.bending.as_ref().map_or(0, |bending| bending.grid);
@@ -187,6 +192,12 @@ impl Session {
             best_points: saved.best_points,
             best_loss: saved.best_loss.unwrap_or(f32::INFINITY),
             gradient_norms: saved.gradient_norms,
+        };
+        session.plane_points = match (&session.problem.surface, saved.plane_points.is_empty()) {
+            (None, _) => Vec::new(),
+            // The pull begins here.
+            (Some(_), true) => state.points.clone(),
+            (Some(_), false) => saved.plane_points,
         };
         session.iteration = saved.iteration;
         session.halvings = saved.halvings;

@@ -3,10 +3,10 @@
 
 use super::RasterKind;
 use super::Work;
-use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
-use crate::objective::{MultiscaleMse, Pyramid, length_and_gradient};
+use super::engine::{Engine, OTHER_TERMS, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
+use crate::objective::{MultiscaleMse, Pyramid, length_and_gradient, surface_and_gradient};
 use crate::raster::{BandRaster, ExactRaster, Raster};
-use crate::view::{Camera, Image};
+use crate::view::{Camera, Image, Occluder, drop_hidden};
 use crate::wire::{Jerk, LinearMap, Stroke};
 
 /// One view's share of an iteration, with its buffers.
@@ -14,8 +14,11 @@ struct ViewEngine {
     camera: Camera<f32>,
     weight: f32,
     target: Image,
+    occluder: Option<Occluder>,
     raster: Box<dyn Raster>,
     mse: MultiscaleMse<f32>,
+    /// Of each sample; empty where nothing hides any.
+    visibilities: Vec<f32>,
     vertices: Vec<[f32; 3]>,
     coverage: Vec<f32>,
     d_coverage: Vec<f32>,
@@ -26,7 +29,7 @@ struct ViewEngine {
 
 impl ViewEngine {
     fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid) -> Self {
-        let SceneView { camera, target, weight } = view;
+        let SceneView { camera, target, weight, occluder } = view;
         let raster: Box<dyn Raster> = match raster {
             RasterKind::Band => Box::new(BandRaster::new()),
             RasterKind::Exact => Box::new(ExactRaster::new()),
@@ -34,8 +37,10 @@ impl ViewEngine {
         ViewEngine {
             camera,
             weight,
+            occluder,
             raster,
             mse: MultiscaleMse::new(pyramid, target.width, target.height),
+            visibilities: Vec::new(),
             vertices: Vec::new(),
             coverage: vec![0.0; target.data.len()],
             d_coverage: vec![0.0; target.data.len()],
@@ -46,22 +51,54 @@ impl ViewEngine {
         }
     }
 
-    /// Project, draw, compare, and all the way back.
-    fn evaluate(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], level_ratio: f32) {
+    /// Another view of the same size.
+    fn look(&mut self, view: SceneView) {
+        let SceneView { camera, target, weight, occluder } = view;
+        (self.camera, self.target, self.weight, self.occluder) = (camera, target, weight, occluder);
+    }
+
+    /// Samples to vertices, those thin that are hidden.
+    fn project(&mut self, samples: &[[f32; 4]], strokes: &[Stroke]) {
         self.vertices.clear();
         self.vertices.extend(samples.iter().map(|sample| {
             let [x, y, radius] = self.camera.project(sample);
             [x, y, radius.max(0.0)]
         }));
+        self.visibilities.clear();
+        let Some(occluder) = &self.occluder else { return };
+        for (sample, [x, y, radius]) in samples.iter().zip(&mut self.vertices) {
+            let visibility = occluder.visibility([*x, *y], self.camera.depth(sample));
+            self.visibilities.push(visibility);
+            *radius *= visibility;
+        }
+        drop_hidden(&self.visibilities, strokes, &mut self.vertices);
+    }
+
+    /// The adjoint of [`ViewEngine::project`].
+    fn project_vjp(&mut self, samples: &[[f32; 4]]) {
+        self.d_samples.clear();
+        let pairs = samples.iter().zip(&self.d_vertices);
+        let Some(occluder) = &self.occluder else {
+            self.d_samples.extend(pairs.map(|(sample, d_vertex)| self.camera.project_vjp(sample, d_vertex)));
+            return;
+        };
+        self.d_samples.extend(pairs.zip(&self.visibilities).map(|((sample, d_vertex), &visibility)| {
+            let [x, y, z, width] = *sample;
+            let d_thinned = self.camera.project_vjp(&[x, y, z, visibility * width], d_vertex);
+            occluder.thinned_vjp(&self.camera, sample, visibility, d_thinned)
+        }));
+    }
+
+    /// Project, draw, compare, and all the way back.
+    fn evaluate(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], level_ratio: f32) {
+        self.project(samples, strokes);
         let coverage = self.raster.forward(self.target.width, self.target.height, &self.vertices, strokes);
         self.coverage.copy_from_slice(coverage);
         let (loss, d_coverage) = self.mse.evaluate(&self.coverage, &self.target.data, level_ratio, self.weight);
         self.loss = loss;
         self.d_coverage.copy_from_slice(d_coverage);
         self.raster.backward(&self.d_coverage, &mut self.d_vertices);
-        self.d_samples.clear();
-        let pairs = samples.iter().zip(&self.d_vertices);
-        self.d_samples.extend(pairs.map(|(sample, d_vertex)| self.camera.project_vjp(sample, d_vertex)));
+        self.project_vjp(samples);
     }
 }
 
@@ -82,6 +119,7 @@ struct Curve {
     sampling: LinearMap<f32>,
     strokes: Vec<Stroke>,
     jerk: Jerk<f32>,
+    planes: Vec<[f32; 4]>,
 }
 
 impl CpuEngine {
@@ -97,7 +135,7 @@ impl CpuEngine {
 
     /// [`Engine::evaluate`], done when it returns.
     pub fn evaluate_now(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
-        let Some(Curve { sampling, strokes, jerk }) = &self.scene else { return };
+        let Some(Curve { sampling, strokes, jerk, planes }) = &self.scene else { return };
         sampling.apply(points, &mut self.samples);
         let samples = &self.samples;
         for_each_view(&mut self.views, |view| view.evaluate(samples, strokes, step.level_ratio));
@@ -116,10 +154,13 @@ impl CpuEngine {
         sampling.apply_transpose(&self.d_samples, &mut self.d_points_image);
         d_points.clone_from(&self.d_points_image);
 
-        let mut length = 0.0;
-        if step.length > 0.0 {
+        let (mut length, mut surface) = (0.0, 0.0);
+        if step.length > 0.0 || step.surface > 0.0 {
             self.d_samples.fill([0.0; 4]);
-            length = length_and_gradient(samples, strokes, step.length, &mut self.d_samples);
+            if step.length > 0.0 {
+                length = length_and_gradient(samples, strokes, step.length, &mut self.d_samples);
+            }
+            surface = surface_and_gradient(samples, planes, step.surface, &mut self.d_samples);
             sampling.apply_transpose(&self.d_samples, d_points);
         }
         let jerk = jerk.energy_and_gradient(points, step.jerk_position, step.jerk_width, d_points);
@@ -128,9 +169,8 @@ impl CpuEngine {
         for (term, view) in terms[1..].iter_mut().zip(&self.views) {
             *term = view.loss;
         }
-        terms[count + 1] = jerk;
-        terms[count + 2] = length;
-        terms[0] = terms[1..count + 3].iter().sum();
+        terms[count + 1..][..OTHER_TERMS.len()].copy_from_slice(&[jerk, length, surface, 0.0]);
+        terms[0] = terms[1..term_count(count)].iter().sum();
     }
 
     /// The image terms' share of the gradient last evaluated.
@@ -141,14 +181,25 @@ impl CpuEngine {
 
 impl Engine for CpuEngine {
     fn load(&mut self, scene: Scene) -> Work<'_> {
-        let Scene { sampling, strokes, jerk, views, raster, pyramid } = scene;
+        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes } = scene;
         self.views = views.into_iter().map(|view| ViewEngine::new(view, raster, pyramid)).collect();
-        self.scene = Some(Curve { sampling, strokes, jerk });
+        self.scene = Some(Curve { sampling, strokes, jerk, planes });
         Work::Done(())
     }
 
     fn set_target(&mut self, view: usize, ink: &[f32]) {
         self.views[view].target.data.copy_from_slice(ink);
+    }
+
+    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+        self.views.iter_mut().zip(views).for_each(|(engine, view)| engine.look(view));
+        Work::Done(())
+    }
+
+    fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
+        if let Some(curve) = &mut self.scene {
+            curve.planes = planes;
+        }
     }
 
     fn evaluate<'a>(

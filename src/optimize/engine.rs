@@ -7,8 +7,8 @@
 use super::{Adam, AdamOptions, RasterKind, Work};
 use crate::Error;
 use crate::objective::Pyramid;
-use crate::view::{Camera, Image};
-use crate::wire::{Jerk, LinearMap, Stroke};
+use crate::view::{Camera, Image, Occluder};
+use crate::wire::{Jerk, LinearMap, Stroke, Wire};
 
 /// One view of a scene.
 #[derive(Debug, Clone)]
@@ -19,6 +19,15 @@ pub struct SceneView {
     pub target: Image,
     /// Weight of its image loss.
     pub weight: f32,
+    /// What hides strands from it, of the target's size; nothing does without.
+    pub occluder: Option<Occluder>,
+}
+
+impl SceneView {
+    /// A view that nothing is hidden from.
+    pub fn new(camera: Camera<f32>, target: Image, weight: f32) -> SceneView {
+        SceneView { camera, target, weight, occluder: None }
+    }
 }
 
 /// Everything that stays the same between two edits of stage or topology.
@@ -36,6 +45,17 @@ pub struct Scene {
     pub raster: RasterKind,
     /// How pictures are compared.
     pub pyramid: Pyramid,
+    /// One a sample, `[n, d]`: unit normal and offset of the plane that it is pulled to; none at all without a pull.
+    pub planes: Vec<[f32; 4]>,
+}
+
+impl Scene {
+    /// A wire with so many samples a span, drawn exactly and compared over averaged pictures, pulled to no surface.
+    pub fn new(wire: &Wire, samples_per_span: usize, views: Vec<SceneView>) -> Scene {
+        let (sampling, strokes) = wire.sampling_map(samples_per_span, true);
+        let (raster, pyramid) = (RasterKind::Exact, Pyramid::AveragePool);
+        Scene { sampling, strokes, jerk: Jerk::new(wire), views, raster, pyramid, planes: Vec::new() }
+    }
 }
 
 /// The numbers of one iteration, in world units.
@@ -53,6 +73,8 @@ pub struct Step {
     pub jerk_width: f32,
     /// Weight of the length.
     pub length: f32,
+    /// Weight of the samples' mean squared distance from their planes.
+    pub surface: f32,
     /// Smallest and largest width.
     pub width_bounds: [f32; 2],
     /// Factor that makes image losses comparable over the run: one over the sum of the level weights.
@@ -124,7 +146,8 @@ impl Tally {
 
     /// Takes note of an iteration before its step, from its row of terms and the image terms' gradient.
     pub fn note(&mut self, step: &Step, points: &[[f32; 4]], terms: &[f32], d_points_image: &[[f32; 4]]) {
-        let loss = terms[1..terms.len() - 2].iter().sum::<f32>() * step.loss_scale;
+        let views = terms.len() - term_count(0);
+        let loss = terms[1..=views].iter().sum::<f32>() * step.loss_scale;
         if loss < self.best_loss {
             self.best_loss = loss;
             self.best_points.clear();
@@ -147,9 +170,12 @@ pub struct Place {
     pub why: String,
 }
 
-/// Number of loss terms a row: total, one a view, jerk, length.
+/// Loss terms that are not a view's, in their order after those.
+pub(super) const OTHER_TERMS: [&str; 4] = ["jerk", "length", "surface", "texture"];
+
+/// Number of loss terms a row: total, one a view, jerk, length, surface, texture.
 pub fn term_count(views: usize) -> usize {
-    views + 3
+    1 + views + OTHER_TERMS.len()
 }
 
 /// What an engine draws that has an entry a pixel.
@@ -170,8 +196,15 @@ pub trait Engine: Send {
     /// Replaces the target of view `view`, of unchanged size.
     fn set_target(&mut self, view: usize, ink: &[f32]);
 
-    /// Loss terms at `points` (total, one a view, jerk, length; weighted) into `terms`, and the gradient of the total
-    /// into `d_points`. Results need not be finite; the session looks after that.
+    /// Replaces all views by as many others of the same sizes; what hides what may come and go. Cheap enough to be done
+    /// before every iteration.
+    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_>;
+
+    /// Replaces the planes that samples are pulled to by as many others.
+    fn set_planes(&mut self, planes: Vec<[f32; 4]>);
+
+    /// Loss terms at `points` (in the order of [`term_count`]; weighted) into `terms`, and the gradient of the total into
+    /// `d_points`. Results need not be finite; the session looks after that.
     fn evaluate<'a>(
         &'a mut self,
         points: &'a [[f32; 4]],

@@ -1,5 +1,7 @@
 //! What happened in a run: the loss of every iteration, term by term, and the events.
 
+use super::engine::{OTHER_TERMS, term_count};
+
 /// What kind of thing happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -34,7 +36,7 @@ pub struct Event {
 /// not be finite; such values are stored as 0.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct History {
-    /// Names of the columns: `total`, each view's, `jerk`, `length`.
+    /// Names of the columns: `total`, each view's, `jerk`, `length`, `surface`, `texture`.
     pub columns: Vec<String>,
     values: Vec<f32>,
 }
@@ -56,7 +58,7 @@ impl History {
     pub(super) fn new(views: impl Iterator<Item = String>, iterations: usize) -> Self {
         let mut columns = vec!["total".to_owned()];
         columns.extend(views);
-        columns.extend(["jerk".to_owned(), "length".to_owned()]);
+        columns.extend(OTHER_TERMS.map(str::to_owned));
         let values = Vec::with_capacity(columns.len() * iterations);
         History { columns, values }
     }
@@ -86,7 +88,7 @@ impl History {
     }
 
     pub(super) fn is_valid(&self, views: usize) -> bool {
-        self.columns.len() == views + 3
+        self.columns.len() == term_count(views)
             && self.values.len().is_multiple_of(self.columns.len())
             && self.values.iter().all(|value| value.is_finite())
     }

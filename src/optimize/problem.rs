@@ -1,7 +1,8 @@
 //! What to fit, as pure data: the first wire, what each view should show, and the recipe.
 
+use super::Surface;
 use super::recipe::Recipe;
-use crate::view::Target;
+use crate::view::{Occluder, Target};
 use crate::wire::Wire;
 use crate::{Error, Result};
 
@@ -23,6 +24,10 @@ pub struct Problem {
     pub targets: Vec<Target>,
     /// Weight of each view's image loss; empty means 1 each.
     pub view_weights: Vec<f64>,
+    /// What hides strands from each view, of its target's size; empty means nothing does.
+    pub occluders: Vec<Occluder>,
+    /// What the wire is kept on, if anything.
+    pub surface: Option<Surface>,
     /// Hard bounds of the width.
     pub width: WidthBounds,
     /// How to fit it.
@@ -40,7 +45,8 @@ impl Problem {
     pub fn for_drawings(wire: Wire, targets: Vec<Target>, recipe: Recipe) -> Problem {
         let px_256 = world_per_px(&targets, 256.0);
         let width = WidthBounds { min_world: px_256, max_world: 20.0 * px_256 };
-        Problem { wire, targets, view_weights: Vec::new(), width, recipe, seed: 0 }
+        let (view_weights, occluders) = (Vec::new(), Vec::new());
+        Problem { wire, targets, view_weights, occluders, surface: None, width, recipe, seed: 0 }
     }
 
     /// Weight of view `v`'s image loss.
@@ -56,8 +62,8 @@ impl Problem {
     /// Refuses what cannot be fitted.
     ///
     /// # Errors
-    /// [`Error::Pictures`] without views, [`Error::Picture`] for ink that does not fit its view or is not from 0 to 1,
-    /// [`Error::Setting`] for widths, weights or recipe entries out of range.
+    /// [`Error::Pictures`] without views or with another number of occluders, [`Error::Picture`] for ink or depths that do
+    /// not fit their view or are out of range, [`Error::Setting`] for widths, weights or recipe entries out of range.
     pub fn check(&self) -> Result<()> {
         if self.targets.is_empty() {
             return Err(Error::Pictures {
@@ -87,6 +93,10 @@ impl Problem {
                 return refuse("the camera shows nothing".into(), "place eye and target apart, with up across");
             }
         }
+        self.check_occluders()?;
+        if let Some(surface) = &self.surface {
+            surface.check()?;
+        }
         let weights_fit = self.view_weights.is_empty() || self.view_weights.len() == self.targets.len();
         if !weights_fit || !self.view_weights.iter().all(|weight| weight.is_finite() && *weight >= 0.0) {
             return Err(Error::setting(
@@ -104,6 +114,36 @@ impl Problem {
             ));
         }
         self.recipe.check()
+    }
+
+    fn check_occluders(&self) -> Result<()> {
+        let (count, views) = (self.occluders.len(), self.targets.len());
+        if count != 0 && count != views {
+            let problem = format!("{count} occluders for {views} views");
+            return Err(Error::Pictures { problem, remedy: "give one for each view, or none at all".into() });
+        }
+        for (Occluder { depth, steepness, bias_world }, Target { view, ink }) in
+            self.occluders.iter().zip(&self.targets)
+        {
+            let (width, height) = (ink.width, ink.height);
+            if (depth.width, depth.height) != (width, height) || depth.data.len() != width * height {
+                let problem = format!("{} depths for a view of {width} x {height}", depth.data.len());
+                return Err(Error::picture(&view.name, problem, "give a depth for each pixel of the view"));
+            }
+            // NaN compares false.
+            if !depth.data.iter().all(|&z| z > f32::NEG_INFINITY) {
+                let remedy = "give distances from the eye, and infinity for the ground";
+                return Err(Error::picture(&view.name, "some depths are no distances", remedy));
+            }
+            if !(steepness.is_finite() && *steepness >= 0.0 && bias_world.is_finite()) {
+                return Err(Error::setting(
+                    "visibility",
+                    format!("steepness {steepness}, bias {bias_world}"),
+                    "give a steepness from 0 up and a finite bias",
+                ));
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,7 +1,8 @@
 //! The session: pulls a problem along, iteration by iteration, and decides what happens when.
 
 use super::bending::{Bender, Field, bend_image};
-use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
+use super::engine::{Engine, Picture, Place, State, Step, Tally, term_count};
+use super::handed::{fitted_size, size_within};
 use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::topology::TopologyEdit;
@@ -9,8 +10,8 @@ use super::work::wait;
 use super::{CpuEngine, Problem, Stage};
 use crate::objective::Displacement;
 use crate::rng::Rng;
-use crate::view::{Image, Target};
-use crate::wire::{Form, Jerk, MAX_COORDINATE, Wire};
+use crate::view::Image;
+use crate::wire::{Form, MAX_COORDINATE, Wire};
 use crate::{Error, Result};
 
 /// Small pictures in which places that lack ink are looked for.
@@ -40,10 +41,14 @@ pub struct Session {
     pub(super) rng: Rng,
     pub(super) history: History,
     pub(super) events: Vec<Event>,
+    /// The control points at which the planes of the pull to a surface were last laid; none without such a pull.
+    pub(super) plane_points: Vec<[f32; 4]>,
     before: (State, Tally),
     steps: Vec<Step>,
     terms: Vec<f32>,
-    loaded: bool,
+    pub(super) loaded: bool,
+    /// Whether the engine still has to take over the problem's views.
+    pub(super) unseen: bool,
 }
 
 impl Session {
@@ -71,7 +76,7 @@ impl Session {
             .collect();
         let count = points.len();
         let state = State { points: points.clone(), adam: super::Adam::new(count) };
-        let tally = Tally { best_points: points, ..Tally::new(count) };
+        let tally = Tally { best_points: points.clone(), ..Tally::new(count) };
         let names = problem.targets.iter().map(|target| target.view.name.clone());
         let history = History::new(names, problem.recipe.iterations());
         let grid = problem.recipe.bending.as_ref().map(|bending| bending.grid);
@@ -80,6 +85,7 @@ impl Session {
             engine,
             wire: problem.wire.clone(),
             good: state.clone(),
+            plane_points: if problem.surface.is_some() { points } else { Vec::new() },
             before: (state.clone(), tally.clone()),
             state,
             tally,
@@ -95,6 +101,7 @@ impl Session {
             steps: Vec::new(),
             terms: Vec::new(),
             loaded: false,
+            unseen: false,
             px_256: problem.world_per_px(256.0),
             problem,
         })
@@ -181,28 +188,8 @@ impl Session {
         }
     }
 
-    /// Fits something else from here on: as many targets as before, on the same scale. Losses so far are no measure for it,
-    /// so the best wire is looked for anew.
-    ///
-    /// # Errors
-    /// As [`Problem::check`], and [`Error::Pictures`] for another number of targets; then nothing has changed.
-    pub fn set_targets(&mut self, targets: Vec<Target>) -> Result<()> {
-        if targets.len() != self.problem.targets.len() {
-            let problem = format!("{} targets for a fit of {}", targets.len(), self.problem.targets.len());
-            return Err(Error::Pictures { problem, remedy: "give one for each view".into() });
-        }
-        let before = std::mem::replace(&mut self.problem.targets, targets);
-        if let Err(error) = self.problem.check() {
-            self.problem.targets = before;
-            return Err(error);
-        }
-        self.loaded = false;
-        self.forget_best();
-        Ok(())
-    }
-
     /// What was lost so far is no measure for what comes.
-    fn forget_best(&mut self) {
+    pub(super) fn forget_best(&mut self) {
         self.best_wire = self.wire.clone();
         self.tally.best_points.clone_from(&self.state.points);
         self.tally.best_loss = f32::INFINITY;
@@ -232,6 +219,10 @@ impl Session {
     async fn prepare(&mut self) {
         let (index, start) = self.stage_index();
         let i = self.iteration;
+        let planes_due = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
+        if planes_due {
+            self.plane_points.clone_from(&self.state.points);
+        }
         if i == start {
             self.load().await;
             // Losses at another size are no measure for this one.
@@ -239,6 +230,16 @@ impl Session {
             self.record(EventKind::Stage, index + 1);
         } else if !self.loaded {
             self.load().await;
+        } else {
+            if self.unseen {
+                let views = self.views(self.fitted_inks());
+                self.engine.set_views(views).done().await;
+                self.unseen = false;
+            }
+            if planes_due {
+                let planes = self.planes();
+                self.engine.set_planes(planes);
+            }
         }
         let stage = &self.problem.recipe.stages[index];
         let restart_at = |share: &f64| start + (share * stage.iterations as f64).round() as usize;
@@ -264,6 +265,7 @@ impl Session {
         let is_due = |i: usize| {
             // Targets bend after an iteration, everything else happens before one.
             recipe.bending.as_ref().is_some_and(|bending| bending.is_due(i - 1, total))
+                || self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i))
                 || recipe.topology.iter().any(|event| event.at.iteration(total) == i)
         };
         let mut stop = limit;
@@ -334,6 +336,7 @@ impl Session {
             jerk_position: (recipe.jerk_position.at(progress) / (half * half)) as f32,
             jerk_width: (recipe.jerk_width.at(progress) / (half * half)) as f32,
             length: (recipe.length.at(progress) / half) as f32,
+            surface: self.problem.surface.as_ref().map_or(0.0, |s| (s.weight / (half * half)) as f32),
             width_bounds: [self.problem.width.min_world as f32, self.problem.width.max_world as f32],
             loss_scale: 1.0 / level_sum(recipe.level_ratio.at(progress) as f32),
             gradient_share: 0.0,
@@ -383,8 +386,15 @@ impl Session {
         self.tally.gradient_norms.resize(self.state.points.len(), 0.0);
         self.gradient_count = 0;
         self.good.copy_from(&self.state);
+        let has_planes = self.problem.surface.is_some();
+        if has_planes {
+            self.plane_points.clone_from(&self.state.points);
+        }
         if kind == EventKind::Refine && count > 0 {
             self.load().await;
+        } else if has_planes {
+            let planes = self.planes();
+            self.engine.set_planes(planes);
         }
         self.record(kind, count);
     }
@@ -416,60 +426,6 @@ impl Session {
         reinit(options, below, self.wire.closed(), splice, &volume, &mut self.state, &mut self.rng)
     }
 
-    /// Hands the present stage, wire and targets to the engine.
-    async fn load(&mut self) {
-        let stage = self.stage().clone();
-        if let Some(bender) = self.bender.take() {
-            self.fields = bender.into_fields();
-        }
-        let mut inks: Vec<Image> = self
-            .problem
-            .targets
-            .iter()
-            .map(|target| {
-                let (width, height) = fitted_size(target, &stage);
-                if (width, height) == (target.ink.width, target.ink.height) {
-                    target.ink.clone()
-                } else {
-                    target.ink.resized(width, height)
-                }
-            })
-            .collect();
-        if let Some(bending) = &self.problem.recipe.bending {
-            let bender = Bender::new(bending.clone(), &inks, std::mem::take(&mut self.fields));
-            for (v, ink) in inks.iter_mut().enumerate() {
-                ink.data.copy_from_slice(bender.bent(v));
-            }
-            self.bender = Some(bender);
-        }
-        let (sampling, strokes) = self.wire.sampling_map::<f32>(stage.samples_per_span, true);
-        let views = self.problem.targets.iter().zip(inks).enumerate().map(|(v, (target, ink))| SceneView {
-            camera: target.view.with_size(ink.width, ink.height).camera(),
-            target: ink,
-            weight: self.problem.view_weight(v) as f32,
-        });
-        let scene = Scene {
-            sampling,
-            strokes,
-            jerk: Jerk::new(&self.wire),
-            views: views.collect(),
-            raster: stage.raster,
-            pyramid: self.problem.recipe.pyramid,
-        };
-        self.engine.load(scene).done().await;
-        self.loaded = true;
-    }
-
-    /// The target of view `view` as the engine sees it.
-    fn fitted_ink(&self, view: usize) -> Image {
-        let target = &self.problem.targets[view];
-        let (width, height) = fitted_size(target, self.stage());
-        match &self.bender {
-            Some(bender) => Image { width, height, data: bender.bent(view).to_vec() },
-            None => target.ink.resized(width, height),
-        }
-    }
-
     /// The stage of the next iteration and where it starts; the last one that has any when all is done.
     fn stage_index(&self) -> (usize, usize) {
         let stages = &self.problem.recipe.stages;
@@ -483,25 +439,13 @@ impl Session {
         found
     }
 
-    fn stage(&self) -> &Stage {
+    pub(super) fn stage(&self) -> &Stage {
         &self.problem.recipe.stages[self.stage_index().0]
     }
 
     fn record(&mut self, kind: EventKind, count: usize) {
         self.events.push(Event { iteration: self.iteration, kind, count });
     }
-}
-
-/// A target's size scaled so that its larger side has `size_px` pixels.
-fn size_within(target: &Target, size_px: usize) -> (usize, usize) {
-    let (width, height) = (target.ink.width, target.ink.height);
-    let scale = size_px as f64 / width.max(height) as f64;
-    let scaled = |side: usize| ((side as f64 * scale).round() as usize).max(1);
-    (scaled(width), scaled(height))
-}
-
-fn fitted_size(target: &Target, stage: &Stage) -> (usize, usize) {
-    size_within(target, stage.size_px)
 }
 
 /// Σ of the level weights, so that losses with different ones compare; six levels stand for any number.

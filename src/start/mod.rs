@@ -7,6 +7,7 @@ mod bend;
 mod boxfit;
 mod envelope;
 mod field;
+pub(crate) mod filling;
 mod fit;
 mod grid;
 mod hull;
@@ -28,6 +29,7 @@ pub use arrange::{ArrangeOptions, Arrangement, Cutouts, Drawing, Placement, arra
 pub use ball::{ball_path, ball_points};
 pub use bend::{BendOptions, Bent, bend};
 pub use boxfit::{BoxFit, fit_box};
+pub use filling::{FillOptions, Filling, Guide, SPACINGS_WORLD, Wish, fill};
 pub use fit::{length, resampled, wire_along, wire_with};
 pub use grid::Grid;
 pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path, mean_share};

@@ -10,4 +10,4 @@ mod saved;
 pub mod stroke;
 
 pub use engine::place;
-pub use run::{Job, Placed, Run};
+pub use run::{Job, Placed, Run, Seen};

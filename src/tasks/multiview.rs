@@ -190,6 +190,8 @@ impl Plan {
             wire,
             targets,
             view_weights: Vec::new(),
+            occluders: Vec::new(),
+            surface: None,
             width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
             recipe: recipe(settings),
             seed: settings.seed,

@@ -6,7 +6,7 @@ use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
 use crate::optimize::{Event, Place, Session, wait};
 use crate::sculpture::{MadeWith, Sculpture};
 use crate::settings::Settings;
-use crate::view::{Target, View};
+use crate::view::{Occluder, Target, View};
 
 /// How a picture was laid into a view.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -22,6 +22,14 @@ pub struct Placed {
     pub quarter_turns: u8,
     /// Share of its ink that any object at all could show, 0 to 1.
     pub coverable: f32,
+}
+
+/// What is fitted for a while.
+pub struct Seen {
+    /// The views and what they should show.
+    pub targets: Vec<Target>,
+    /// What hides strands from each; empty means nothing does.
+    pub occluders: Vec<Occluder>,
 }
 
 /// What a task brings to a fit, and what it adds to the report.
@@ -52,8 +60,8 @@ pub trait Job: Sized {
     }
 
     /// What is fitted from iteration `iteration` on, where views change.
-    fn targets_from(&self, _iteration: usize, _settings: &Settings) -> Vec<Target> {
-        self.targets().to_vec()
+    fn views_from(&self, _iteration: usize, _settings: &Settings) -> Seen {
+        Seen { targets: self.targets().to_vec(), occluders: Vec::new() }
     }
 }
 
@@ -99,7 +107,8 @@ impl<J: Job> Run<J> {
         }
         let iteration = self.session.iteration();
         if iteration > 0 && iteration.is_multiple_of(every) {
-            let kept = self.session.set_targets(self.job.targets_from(iteration, &self.settings));
+            let Seen { targets, occluders } = self.job.views_from(iteration, &self.settings);
+            let kept = self.session.set_views(targets, occluders);
             debug_assert!(kept.is_ok(), "{kept:?}");
         }
         every - iteration % every

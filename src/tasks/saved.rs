@@ -7,7 +7,7 @@ use crate::{Error, Result};
 use std::collections::BTreeMap;
 
 /// The first bytes, the last of them the format's version.
-const HEADING: [u8; 4] = *b"W4R\x01";
+const HEADING: [u8; 4] = *b"W4R\x02";
 /// Heading and checksum.
 const HEADING_BYTES: usize = 8;
 

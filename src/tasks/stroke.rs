@@ -12,7 +12,7 @@
 
 use super::engine::engine;
 use super::fit::recipe;
-use super::run::Placed;
+use super::run::{Placed, Seen};
 use super::saved::SavedRun;
 use crate::optimize::{Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
 use crate::rng::Rng;
@@ -288,6 +288,8 @@ impl Plan {
         Problem {
             wire,
             targets: self.fitted(first, iteration, settings),
+            occluders: Vec::new(),
+            surface: None,
             view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
             width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
             recipe,
@@ -346,8 +348,8 @@ impl super::Job for Job {
         settings.new_sides
     }
 
-    fn targets_from(&self, iteration: usize, settings: &Settings) -> Vec<Target> {
-        self.plan.fitted(&self.first, iteration, settings)
+    fn views_from(&self, iteration: usize, settings: &Settings) -> Seen {
+        Seen { targets: self.plan.fitted(&self.first, iteration, settings), occluders: Vec::new() }
     }
 }
 

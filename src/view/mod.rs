@@ -11,6 +11,7 @@ mod read;
 mod reading;
 mod spec;
 mod stroke_width;
+mod visibility;
 #[cfg(feature = "cli")]
 mod write;
 
@@ -24,6 +25,7 @@ pub use picture::{MAX_PICTURE_PIXELS, MAX_PICTURE_PX, Picture, Polarity, ink};
 pub use read::{decode_picture, read_picture};
 pub use reading::Reading;
 pub use spec::{MAX_VIEW_PX, ViewSpec, parse_placed_picture};
+pub use visibility::{LEAST_VISIBILITY, Occluder, drop_hidden};
 #[cfg(feature = "cli")]
 pub use write::{GreyDepth, encode_png, write_png};
 

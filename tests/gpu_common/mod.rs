@@ -5,10 +5,10 @@
 
 use wire4d::gpu::{Device, Kind};
 use wire4d::objective::Pyramid;
-use wire4d::optimize::{AdamOptions, RasterKind, Scene, SceneView, Step};
+use wire4d::optimize::{AdamOptions, Scene, SceneView, Step};
 use wire4d::rng::Rng;
 use wire4d::view::{Image, Projection, View};
-use wire4d::wire::{Jerk, Wire};
+use wire4d::wire::Wire;
 
 /// A device, or none with a notice; with `WIRE4D_REQUIRE_GPU` set none is a failure.
 pub fn device() -> Option<Device> {
@@ -52,13 +52,12 @@ pub fn views(size_px: usize) -> Vec<View> {
 /// A wire's scene with random ink.
 pub fn scene(wire: &Wire, views: &[View], samples: usize, pyramid: Pyramid, seed: u64) -> Scene {
     let mut rng = Rng::new(seed, 3);
-    let (sampling, strokes) = wire.sampling_map(samples, true);
     let views = views.iter().enumerate().map(|(v, view)| {
         let (width, height) = (view.width_px, view.height_px);
         let data = (0..width * height).map(|_| rng.unit() as f32).collect();
-        SceneView { camera: view.camera(), target: Image { width, height, data }, weight: 0.5 + v as f32 }
+        SceneView::new(view.camera(), Image { width, height, data }, 0.5 + v as f32)
     });
-    Scene { sampling, strokes, jerk: Jerk::new(wire), views: views.collect(), raster: RasterKind::Exact, pyramid }
+    Scene { pyramid, ..Scene::new(wire, samples, views.collect()) }
 }
 
 pub fn points(wire: &Wire) -> Vec<[f32; 4]> {
@@ -73,6 +72,7 @@ pub fn step() -> Step {
         jerk_position: 1e-3,
         jerk_width: 3e-2,
         length: 0.02,
+        surface: 0.3,
         width_bounds: [0.01, 0.1],
         loss_scale: 1.0,
         gradient_share: 0.5,

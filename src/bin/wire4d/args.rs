@@ -52,6 +52,23 @@ pub fn command() -> Command {
                 .arg(overwrite()),
             Task::Stroke,
         ))
+        .subcommand(with_settings(
+            Command::new("fill")
+                .about("A mesh to one closed wire that covers it, in a picture's style")
+                .arg(
+                    file("mesh", "The mesh: OBJ, STL, PLY, GLB or glTF; or sphere, torus, knot, vase, creature")
+                        .value_name("MESH")
+                        .required(true),
+                )
+                .arg(
+                    file("style", "A picture for its look, or petals, waves, calligraphy, scales, leaves")
+                        .long("style")
+                        .value_name("PICTURE"),
+                )
+                .arg(out_folder())
+                .arg(overwrite()),
+            Task::Fill,
+        ))
         .subcommand(
             Command::new("render")
                 .about("Coverage of a wire in one view as 16-bit grey PNG, ink white")

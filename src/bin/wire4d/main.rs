@@ -2,6 +2,7 @@
 //! 1 for anything else.
 
 mod args;
+mod fill;
 mod folder;
 mod making;
 mod multiview;
@@ -33,6 +34,7 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
     match matches.subcommand() {
         Some(("multiview", matches)) => multiview::run(matches),
         Some(("stroke", matches)) => stroke::run(matches),
+        Some(("fill", matches)) => fill::run(matches),
         Some(("render", matches)) => wires::render(matches),
         Some(("metrics", matches)) => wires::metrics(matches),
         Some(("export", matches)) => wires::export(matches),

@@ -55,7 +55,7 @@ pub struct Plan {
     name: String,
     mesh: Arc<Mesh>,
     nearest: Arc<Nearest>,
-    motif: Option<Motif>,
+    motif: Option<Arc<Motif>>,
     texture: Option<Arc<Texture>>,
     filling: Filling,
     /// What the report compares with: the five sides.
@@ -88,14 +88,17 @@ impl Given {
     }
 }
 
-/// Covers the mesh. `progress` is told how much is done, 0 to 1, and stops it by returning false.
+/// Covers the mesh. `progress` is told how much is done, 0 to 1, and stops it by returning
+/// false: then there is no plan.
 ///
 /// # Errors
 /// [`Error::Setting`] for a spacing too fine for this mesh, [`Error::Picture`] for a style that shows nothing.
-pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Plan> {
+pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Option<Plan>> {
     Task::Fill.check(settings)?;
-    let motif = given.style.as_ref().map(|style| Motif::new(style, settings));
-    let filling = start::fill(&given.mesh, &fill_options(motif.as_ref(), settings), progress)?;
+    let motif = given.style.as_ref().map(|style| Arc::new(Motif::new(style, settings)));
+    let Some(filling) = start::fill(&given.mesh, &fill_options(motif.as_ref(), settings), progress)? else {
+        return Ok(None);
+    };
     let strength = settings.style_strength;
     let texture = match &given.style {
         Some(style) if strength > 0.0 => Some(Arc::new(texture(style, settings)?)),
@@ -114,15 +117,18 @@ pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) ->
     };
     let Seen { targets, occluders, .. } = plan.seen(looks::sides(settings.size), settings);
     (plan.targets, plan.occluders) = (targets, occluders);
-    Ok(plan)
+    Ok(Some(plan))
 }
 
-fn fill_options<'a>(motif: Option<&'a Motif>, settings: &Settings) -> FillOptions<'a> {
+fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions {
     let upright = [0.0, 1.0, 0.0];
     let guide = match (settings.flow, motif) {
         (Flow::Along, _) => Guide::Along(upright),
         (Flow::Across, _) => Guide::Across(upright),
-        (Flow::Style, Some(motif)) => Guide::Directions(Box::new(move |point, normal| motif.along(point, normal))),
+        (Flow::Style, Some(motif)) => {
+            let motif = Arc::clone(motif);
+            Guide::Custom(Box::new(move |point, normal| motif.along(point, normal)))
+        }
         (Flow::Smooth | Flow::Style, _) => Guide::Smooth,
     };
     let method = if settings.start == Start::Tour { Method::Tour } else { Method::Stripes };

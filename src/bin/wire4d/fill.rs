@@ -1,0 +1,67 @@
+//! `wire4d fill`: a mesh in, a folder with the wire that covers it, its views and the report out.
+
+use crate::making::{Making, save, save_picture};
+use crate::{args, folder::Folder};
+use clap::ArgMatches;
+use std::path::Path;
+use wire4d::mesh::{Shape, read_mesh_file};
+use wire4d::settings::Task;
+use wire4d::tasks::fill::{self, Given, Run, Style};
+use wire4d::view::{GreyDepth, Pattern, Polarity, ink, read_picture};
+use wire4d::{Error, Result};
+
+/// Side of a pattern's picture, px.
+const PATTERN_PX: usize = 512;
+
+pub fn run(matches: &ArgMatches) -> Result<()> {
+    let settings = args::settings(matches, Task::Fill)?;
+    let given = given(matches)?;
+    let out = args::path(matches, "out");
+    let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
+    let making = Making::new(&folder, matches.get_flag("quiet"));
+    making.bar.set_message("Covering the surface");
+    let plan = fill::plan(&given, &settings, &mut |share| {
+        making.bar.set_position((100.0 * share) as u64);
+        !making.is_stopped()
+    })?;
+    plan.notes().iter().for_each(|note| making.say(note));
+    let mut run = Run::start(plan, &settings)?;
+    let time = making.fit(&mut run);
+    let report = run.report(time, !run.session().is_done());
+
+    let made = run.sculpture();
+    save(&folder, &made, &report, &run.loss_csv())?;
+    for (index, target) in run.targets().iter().enumerate() {
+        let name = &target.view.name;
+        save_picture(&folder, name, "", &run.draw(&made.wire, index), GreyDepth::Bits16)?;
+        save_picture(&folder, name, "-target", &target.ink, GreyDepth::Bits8)?;
+    }
+    making.bar.finish_and_clear();
+    folder.finish()?;
+    println!("{}", out.join("report.json").display());
+    Ok(())
+}
+
+/// A built-in shape or pattern by its word, unless a file is called so; else a file.
+fn given(matches: &ArgMatches) -> Result<Given> {
+    let path = args::path(matches, "mesh");
+    let mut given = match Shape::of(&path.to_string_lossy()).filter(|_| !path.exists()) {
+        Some(shape) => Given::shape(shape),
+        None => Given::mended(&path.display().to_string(), read_mesh_file(path)?),
+    };
+    given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
+    Ok(given)
+}
+
+fn style(path: &Path) -> Result<Style> {
+    let name = path.display().to_string();
+    if let Some(pattern) = Pattern::of(&name).filter(|_| !path.exists()) {
+        return Ok(Style { name, ink: pattern.picture(PATTERN_PX), tiles: true });
+    }
+    if !path.exists() && path.extension().is_none() {
+        let words: Vec<&str> = Pattern::ALL.iter().map(|pattern| pattern.name()).collect();
+        return Err(Error::picture(name, "is neither a file nor a pattern", format!("give a picture or {}", words.join(", "))));
+    }
+    let (ink, _) = ink(&read_picture(path)?, Polarity::Auto)?;
+    Ok(Style { name, ink, tiles: false })
+}

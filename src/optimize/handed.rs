@@ -1,0 +1,120 @@
+//! What the engine is handed: the present stage's wire, its views at the size that is fitted, and the planes it is kept on.
+
+use super::bending::Bender;
+use super::engine::{Scene, SceneView};
+use super::{Session, Stage};
+use crate::view::{Image, Occluder, Target};
+use crate::{Error, Result};
+
+impl Session {
+    /// Fits something else from here on: as many targets as before, on the same scale, and what hides strands from them
+    /// (nothing does if `occluders` is empty). Losses so far are no measure for it, so the best wire is looked for anew.
+    /// Where sizes stay and no target bends that is cheap enough to be done before every iteration.
+    ///
+    /// # Errors
+    /// As [`Problem::check`], and [`Error::Pictures`] for another number of targets; then nothing has changed.
+    pub fn set_views(&mut self, targets: Vec<Target>, occluders: Vec<Occluder>) -> Result<()> {
+        if targets.len() != self.problem.targets.len() {
+            let problem = format!("{} targets for a fit of {}", targets.len(), self.problem.targets.len());
+            return Err(Error::Pictures { problem, remedy: "give one for each view".into() });
+        }
+        let targets_before = std::mem::replace(&mut self.problem.targets, targets);
+        let occluders_before = std::mem::replace(&mut self.problem.occluders, occluders);
+        if let Err(error) = self.problem.check() {
+            (self.problem.targets, self.problem.occluders) = (targets_before, occluders_before);
+            return Err(error);
+        }
+        let stage = self.stage();
+        let mut sizes = targets_before.iter().zip(&self.problem.targets);
+        let same_sizes = sizes.all(|(before, after)| fitted_size(before, stage) == fitted_size(after, stage));
+        self.unseen = true;
+        self.loaded &= same_sizes && self.problem.recipe.bending.is_none();
+        self.forget_best();
+        Ok(())
+    }
+
+    /// Hands the present stage, wire and targets to the engine.
+    pub(super) async fn load(&mut self) {
+        let stage = self.stage().clone();
+        if let Some(bender) = self.bender.take() {
+            self.fields = bender.into_fields();
+        }
+        let mut inks = self.fitted_inks();
+        if let Some(bending) = &self.problem.recipe.bending {
+            let bender = Bender::new(bending.clone(), &inks, std::mem::take(&mut self.fields));
+            for (v, ink) in inks.iter_mut().enumerate() {
+                ink.data.copy_from_slice(bender.bent(v));
+            }
+            self.bender = Some(bender);
+        }
+        let scene = Scene {
+            raster: stage.raster,
+            pyramid: self.problem.recipe.pyramid,
+            planes: self.planes(),
+            ..Scene::new(&self.wire, stage.samples_per_span, self.views(inks))
+        };
+        self.engine.load(scene).done().await;
+        (self.loaded, self.unseen) = (true, false);
+    }
+
+    /// Every target at the size that is fitted, not bent.
+    pub(super) fn fitted_inks(&self) -> Vec<Image> {
+        let fitted = |target: &Target| {
+            let (width, height) = fitted_size(target, self.stage());
+            if (width, height) == (target.ink.width, target.ink.height) {
+                target.ink.clone()
+            } else {
+                target.ink.resized(width, height)
+            }
+        };
+        self.problem.targets.iter().map(fitted).collect()
+    }
+
+    /// The views with `inks` to show.
+    pub(super) fn views(&self, inks: Vec<Image>) -> Vec<SceneView> {
+        let view = |(v, (target, ink)): (usize, (&Target, Image))| {
+            let (width, height) = (ink.width, ink.height);
+            let occluder = self.problem.occluders.get(v).map(|occluder| {
+                if (width, height) == (occluder.depth.width, occluder.depth.height) {
+                    occluder.clone()
+                } else {
+                    occluder.resized(width, height)
+                }
+            });
+            let camera = target.view.with_size(width, height).camera();
+            SceneView { occluder, ..SceneView::new(camera, ink, self.problem.view_weight(v) as f32) }
+        };
+        self.problem.targets.iter().zip(inks).enumerate().map(view).collect()
+    }
+
+    /// Planes that touch the surface, if there is one to be kept on, next to the samples at `plane_points`.
+    pub(super) fn planes(&self) -> Vec<[f32; 4]> {
+        let Some(surface) = &self.problem.surface else { return Vec::new() };
+        let (sampling, _) = self.wire.sampling_map::<f32>(self.stage().samples_per_span, true);
+        let mut samples = Vec::new();
+        sampling.apply(&self.plane_points, &mut samples);
+        surface.planes(&samples)
+    }
+
+    /// The target of view `view` as the engine sees it.
+    pub(super) fn fitted_ink(&self, view: usize) -> Image {
+        let target = &self.problem.targets[view];
+        let (width, height) = fitted_size(target, self.stage());
+        match &self.bender {
+            Some(bender) => Image { width, height, data: bender.bent(view).to_vec() },
+            None => target.ink.resized(width, height),
+        }
+    }
+}
+
+/// A target's size scaled so that its larger side has `size_px` pixels.
+pub(super) fn size_within(target: &Target, size_px: usize) -> (usize, usize) {
+    let (width, height) = (target.ink.width, target.ink.height);
+    let scale = size_px as f64 / width.max(height) as f64;
+    let scaled = |side: usize| ((side as f64 * scale).round() as usize).max(1);
+    (scaled(width), scaled(height))
+}
+
+pub(super) fn fitted_size(target: &Target, stage: &Stage) -> (usize, usize) {
+    size_within(target, stage.size_px)
+}

@@ -1,0 +1,184 @@
+//! Closed lines joined into one: where two run side by side both are cut and the ends joined across the band between
+//! them, which leaves two hairpins that face each other. Two different lines so joined are always one line.
+
+use super::strand::{Node, SAME_SIDE, Strand, Strands};
+use super::surface::{Classes, Surface};
+
+/// How far a place for a join reaches for the other line, in spacings, at first and when nothing else is left.
+const REACH: [f64; 4] = [1.5, 1.5, 2.0, 3.0];
+/// Joins keep this far apart, in spacings.
+const CLEARANCE: [f64; 4] = [3.0, 1.5, 0.8, 0.0];
+/// Nodes a spacing.
+pub const NODES_A_SPACING: f64 = 4.0;
+
+/// Joins the lines of every part of the surface by way of the calmest places. The lines are resampled, several nodes a
+/// spacing.
+pub fn stitched(surface: &Surface, lines: Vec<Strand>, spacing: f64) -> Vec<Strand> {
+    let lines: Vec<Strand> = lines.iter().map(|line| resampled(surface, line, spacing)).collect();
+    let strands = Strands::new(&lines);
+    let count = strands.nodes.len();
+    let mut work = Stitching { strands, spacing, removed: vec![false; count], near_cut: vec![false; count] };
+    let mut classes = Classes::new(lines.len());
+    let mut joins: Vec<Node> = Vec::new();
+    for (reach, clearance) in REACH.into_iter().zip(CLEARANCE) {
+        for nodes in work.places(&mut classes, reach * spacing) {
+            let [a, b] = nodes.map(|i| work.strands.strand_of[i as usize] as usize);
+            let node = work.strands.nodes[nodes[0] as usize];
+            let crowded = |join: &Node| {
+                join.point.distance_squared(node.point) < (clearance * spacing).powi(2)
+                    && join.normal.dot(node.normal) > SAME_SIDE
+            };
+            if classes.of(a) == classes.of(b) || joins.iter().any(crowded) {
+                continue;
+            }
+            if work.splice(nodes) {
+                classes.join(a, b);
+                joins.push(node);
+            }
+        }
+    }
+    work.walked()
+}
+
+/// As [`super::strand::resampled`] at the step that joins and relaxation use.
+pub fn resampled(surface: &Surface, line: &[Node], spacing: f64) -> Strand {
+    super::strand::resampled(surface, line, spacing / NODES_A_SPACING)
+}
+
+/// Lines in the middle of being joined.
+struct Stitching {
+    strands: Strands,
+    spacing: f64,
+    /// Nodes that no line holds any more.
+    removed: Vec<bool>,
+    /// Nodes that a join has changed.
+    near_cut: Vec<bool>,
+}
+
+impl Stitching {
+    /// Where nodes of different lines face each other, those most like two calm parallels first.
+    fn places(&self, classes: &mut Classes, reach: f64) -> Vec<[u32; 2]> {
+        let strands = &self.strands;
+        let class_of: Vec<usize> = strands.strand_of.iter().map(|&name| classes.of(name as usize)).collect();
+        if class_of.iter().all(|&class| class == class_of[0]) {
+            return Vec::new();
+        }
+        let grid = strands.grid(reach);
+        let bends: Vec<f64> = (0..strands.nodes.len()).map(|i| self.bend(i)).collect();
+        let mut places: Vec<(f64, [u32; 2])> = Vec::new();
+        for (i, node) in strands.nodes.iter().enumerate().filter(|&(i, _)| !self.removed[i]) {
+            let along = strands.tangent(i);
+            for side in [-1.0, 1.0] {
+                let across = side * node.normal.cross(along);
+                let mut best = (f64::INFINITY, 0);
+                grid.near(node.point, reach, |j, squared| {
+                    let other = &strands.nodes[j as usize];
+                    let faces = (other.point - node.point).dot(across) > 0.7 * squared.sqrt();
+                    let same_side = other.normal.dot(node.normal) > SAME_SIDE;
+                    if faces && same_side && !self.removed[j as usize] && (squared, j) < best {
+                        best = (squared, j);
+                    }
+                });
+                let j = best.1 as usize;
+                if best.0.is_finite() && class_of[i] < class_of[j] {
+                    let apart = (best.0.sqrt() / self.spacing - 1.0).abs();
+                    let turned = 1.0 - along.dot(strands.tangent(j)).abs();
+                    let fold = 1.0 - node.normal.dot(strands.nodes[j].normal);
+                    places.push((apart + 2.0 * turned + fold + bends[i] + bends[j], [i as u32, best.1]));
+                }
+            }
+        }
+        places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        places.into_iter().map(|place| place.1).collect()
+    }
+
+    /// How much the line turns within a spacing to both sides of a node: 0 straight, 2 back.
+    fn bend(&self, i: usize) -> f64 {
+        if self.removed[i] {
+            return 0.0;
+        }
+        let (mut ahead, mut behind) = (i, i);
+        for _ in 0..NODES_A_SPACING as usize {
+            ahead = self.strands.next[ahead] as usize;
+            behind = self.strands.previous[behind] as usize;
+        }
+        1.0 - self.strands.tangent(ahead).dot(self.strands.tangent(behind))
+    }
+
+    /// Cuts half a spacing to both sides of two facing nodes and joins the ends; false if an earlier join is in the way.
+    fn splice(&mut self, nodes: [u32; 2]) -> bool {
+        let ([a0, a1], mut removed) = self.gap(nodes[0]);
+        let ([b0, b1], more) = self.gap(nodes[1]);
+        removed.extend(more);
+        let touched = || removed.iter().copied().chain([a0, a1, b0, b1]).map(|i| i as usize);
+        if touched().any(|i| self.near_cut[i]) {
+            return false;
+        }
+        touched().for_each(|i| self.near_cut[i] = true);
+        let point = |i: u32| self.strands.nodes[i as usize].point;
+        let same_way = point(a0).distance(point(b0)) + point(a1).distance(point(b1));
+        let other_way = point(a0).distance(point(b1)) + point(a1).distance(point(b0));
+        let (first, last) = if same_way < other_way { (b0, b1) } else { (b1, b0) };
+        if first == b0 {
+            self.reverse(b0);
+        }
+        // From the first line over to `first`, along the whole second line to `last`, and back.
+        self.strands.next[a0 as usize] = first;
+        self.strands.previous[first as usize] = a0;
+        self.strands.next[last as usize] = a1;
+        self.strands.previous[a1 as usize] = last;
+        for i in removed {
+            self.removed[i as usize] = true;
+        }
+        true
+    }
+
+    /// The nodes half a spacing before and after `node`, and those between. A short line keeps two thirds of itself.
+    fn gap(&self, node: u32) -> ([u32; 2], Vec<u32>) {
+        let half = NODES_A_SPACING as usize / 2;
+        let mut around = 1;
+        let mut at = self.strands.next[node as usize];
+        while at != node && around < 6 * half {
+            (at, around) = (self.strands.next[at as usize], around + 1);
+        }
+        let (mut ends, mut between) = ([node; 2], vec![node]);
+        for step in 0..half.min(around / 6).max(1) {
+            if step > 0 {
+                between.extend(ends);
+            }
+            ends = [self.strands.previous[ends[0] as usize], self.strands.next[ends[1] as usize]];
+        }
+        (ends, between)
+    }
+
+    /// Turns the whole line through `start` round.
+    fn reverse(&mut self, start: u32) {
+        let mut at = start;
+        loop {
+            let i = at as usize;
+            at = self.strands.next[i];
+            (self.strands.next[i], self.strands.previous[i]) = (self.strands.previous[i], at);
+            if at == start {
+                return;
+            }
+        }
+    }
+
+    /// The lines there are now.
+    fn walked(&self) -> Vec<Strand> {
+        let mut seen = self.removed.clone();
+        let mut lines = Vec::new();
+        for start in 0..seen.len() {
+            let (mut line, mut at) = (Vec::new(), start);
+            while !seen[at] {
+                seen[at] = true;
+                line.push(self.strands.nodes[at]);
+                at = self.strands.next[at] as usize;
+            }
+            if !line.is_empty() {
+                lines.push(line);
+            }
+        }
+        lines
+    }
+}

@@ -1,0 +1,386 @@
+//! A mesh cut where it is not a surface, refined until a line every spacing can be told on it.
+
+use crate::error::{Error, Result};
+use crate::mesh::Mesh;
+use glam::DVec3;
+
+/// No triangle on that side, no such vertex.
+pub const NONE: u32 = u32::MAX;
+/// Triangles a refined mesh may have: half a gigabyte with everything that hangs on them.
+const MOST_TRIANGLES: usize = 2_500_000;
+/// Triangles that refinement makes for every square of half a spacing.
+const TRIANGLES_A_SQUARE: f64 = 5.0;
+
+/// An edge, its two ends and the one or two triangles beside it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Edge {
+    pub ends: [u32; 2],
+    pub faces: [u32; 2],
+}
+
+impl Edge {
+    pub fn is_rim(&self) -> bool {
+        self.faces[1] == NONE
+    }
+}
+
+/// Triangles of which at most two meet at an edge.
+#[derive(Debug, Clone, Default)]
+pub struct Surface {
+    pub points: Vec<DVec3>,
+    /// Unit normals, averaged round each vertex by area.
+    pub normals: Vec<DVec3>,
+    pub triangles: Vec<[u32; 3]>,
+    pub edges: Vec<Edge>,
+    /// Edges of each triangle; edge `k` runs from corner `k` to the next.
+    pub edges_of: Vec<[u32; 3]>,
+    /// Triangles round each vertex: those of vertex `v` are `fans[fan_starts[v]..fan_starts[v + 1]]`.
+    fans: Vec<u32>,
+    fan_starts: Vec<u32>,
+    /// The connected part each vertex belongs to.
+    pub part_of: Vec<u32>,
+    pub parts: usize,
+}
+
+impl Surface {
+    /// `mesh` with no edge longer than `longest`.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for `curve_spacing` if that takes too many triangles.
+    pub fn new(mesh: &Mesh, longest: f64) -> Result<Surface> {
+        let points: Vec<DVec3> = mesh.positions().iter().map(|&p| DVec3::from(p)).collect();
+        let whole = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+        let triangles: Vec<[u32; 3]> = mesh.triangles().iter().copied().filter(whole).collect();
+        let mut surface = Surface { points, triangles, ..Surface::default() };
+        let needed = surface.triangles.len() as f64 + TRIANGLES_A_SQUARE * surface.area() / (longest * longest);
+        if needed > MOST_TRIANGLES as f64 {
+            return Err(too_fine(longest * (needed / MOST_TRIANGLES as f64).sqrt()));
+        }
+        surface.pair_triangles();
+        surface.cut();
+        loop {
+            surface.pair_triangles();
+            if !surface.split_edges(longest) {
+                break;
+            }
+            if surface.triangles.len() > MOST_TRIANGLES {
+                return Err(too_fine(2.0 * longest));
+            }
+        }
+        surface.find_fans();
+        surface.find_parts();
+        surface.find_normals();
+        Ok(surface)
+    }
+
+    pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.triangles[triangle as usize].map(|v| self.points[v as usize])
+    }
+
+    /// Normal of a triangle, of length twice its area.
+    pub fn area_normal(&self, triangle: u32) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        (b - a).cross(c - a)
+    }
+
+    pub fn area(&self) -> f64 {
+        (0..self.triangles.len() as u32).map(|t| 0.5 * self.area_normal(t).length()).sum()
+    }
+
+    pub fn fan(&self, vertex: u32) -> &[u32] {
+        &self.fans[self.fan_starts[vertex as usize] as usize..self.fan_starts[vertex as usize + 1] as usize]
+    }
+
+    /// The vertices' normals, weighted by `at`.
+    pub fn normal_at(&self, triangle: u32, at: [f64; 3]) -> DVec3 {
+        let corners = self.triangles[triangle as usize];
+        let sum: DVec3 = (0..3).map(|k| at[k] * self.normals[corners[k] as usize]).sum();
+        sum.normalize_or(self.normals[corners[0] as usize])
+    }
+
+    /// From a point to a triangle.
+    pub fn distance_squared(&self, point: DVec3, triangle: u32) -> f64 {
+        nearest_in_triangle(point, self.corners(triangle)).1.distance_squared(point)
+    }
+
+    /// The nearest point of the surface that can be walked to from `triangle` with every step coming nearer:
+    /// the triangle it is on, its weights there and the point.
+    pub fn nearest_from(&self, point: DVec3, triangle: u32) -> (u32, [f64; 3], DVec3) {
+        let found = |t: u32| {
+            let (weights, on) = nearest_in_triangle(point, self.corners(t));
+            (point.distance_squared(on), t, weights, on)
+        };
+        let mut best = found(triangle);
+        loop {
+            let (before, at) = (best.0, best.1);
+            for &corner in &self.triangles[at as usize] {
+                for &t in self.fan(corner) {
+                    let candidate = found(t);
+                    if candidate.0 < best.0 {
+                        best = candidate;
+                    }
+                }
+            }
+            if best.0 >= before {
+                return (best.1, best.2, best.3);
+            }
+        }
+    }
+
+    /// Distance of every vertex to the rim along edges; infinite where there is none.
+    pub fn rim_distances(&self) -> Vec<f64> {
+        let mut distances = vec![f64::INFINITY; self.points.len()];
+        let rim = || self.edges.iter().filter(|edge| edge.is_rim());
+        if rim().next().is_none() {
+            return distances;
+        }
+        let mut queue = std::collections::BinaryHeap::new();
+        // Distances are not negative, so their bits sort as they do.
+        let key = |distance: f64, vertex: u32| std::cmp::Reverse((distance.to_bits(), vertex));
+        for vertex in rim().flat_map(|edge| edge.ends) {
+            distances[vertex as usize] = 0.0;
+            queue.push(key(0.0, vertex));
+        }
+        while let Some(std::cmp::Reverse((bits, vertex))) = queue.pop() {
+            let reached = f64::from_bits(bits);
+            if reached > distances[vertex as usize] {
+                continue;
+            }
+            for other in self.fan(vertex).iter().flat_map(|&t| self.triangles[t as usize]) {
+                let there = reached + self.points[vertex as usize].distance(self.points[other as usize]);
+                if there < distances[other as usize] {
+                    distances[other as usize] = there;
+                    queue.push(key(there, other));
+                }
+            }
+        }
+        distances
+    }
+
+    /// Finds the edges. Where more than two triangles meet, the flattest pairs stay together and the rest get a rim.
+    fn pair_triangles(&mut self) {
+        let mut sides: Vec<([u32; 2], u32, usize)> = Vec::with_capacity(3 * self.triangles.len());
+        for (t, corners) in self.triangles.iter().enumerate() {
+            for k in 0..3 {
+                let (a, b) = (corners[k], corners[(k + 1) % 3]);
+                sides.push(([a.min(b), a.max(b)], t as u32, k));
+            }
+        }
+        sides.sort_unstable();
+        self.edges = Vec::with_capacity(sides.len() / 2 + 1);
+        self.edges_of = vec![[NONE; 3]; self.triangles.len()];
+        for group in sides.chunk_by(|a, b| a.0 == b.0) {
+            let mut left = group.to_vec();
+            while !left.is_empty() {
+                let (first, second) = self.flattest(&left);
+                let edge = self.edges.len() as u32;
+                let faces = [left[first].1, second.map_or(NONE, |j| left[j].1)];
+                for side in std::iter::once(first).chain(second) {
+                    self.edges_of[left[side].1 as usize][left[side].2] = edge;
+                }
+                self.edges.push(Edge { ends: left[0].0, faces });
+                let mut place = 0;
+                left.retain(|_| {
+                    place += 1;
+                    place - 1 != first && Some(place - 1) != second
+                });
+            }
+        }
+    }
+
+    /// Of the triangles at one edge the two that lie flattest against each other, or the only one.
+    fn flattest(&self, sides: &[([u32; 2], u32, usize)]) -> (usize, Option<usize>) {
+        if sides.len() <= 2 {
+            return (0, (sides.len() == 2).then_some(1));
+        }
+        // Away from the edge, in the plane of the triangle.
+        let outward = |&(ends, t, k): &([u32; 2], u32, usize)| {
+            let [a, b] = ends.map(|v| self.points[v as usize]);
+            let apex = self.points[self.triangles[t as usize][(k + 2) % 3] as usize] - a;
+            (apex - apex.project_onto_normalized((b - a).normalize_or(DVec3::X))).normalize_or_zero()
+        };
+        let mut best = (f64::INFINITY, 0, None);
+        for i in 0..sides.len() {
+            for j in i + 1..sides.len() {
+                let fold = outward(&sides[i]).dot(outward(&sides[j]));
+                if fold < best.0 {
+                    best = (fold, i, Some(j));
+                }
+            }
+        }
+        (best.1, best.2)
+    }
+
+    /// Gives every fan of triangles that hang together by edges a vertex of its own.
+    fn cut(&mut self) {
+        let mut classes = Classes::new(3 * self.triangles.len());
+        for edge in self.edges.iter().filter(|edge| !edge.is_rim()) {
+            for end in edge.ends {
+                let corner = |face: u32| {
+                    let place = self.triangles[face as usize].iter().position(|&v| v == end).unwrap_or(0);
+                    3 * face as usize + place
+                };
+                classes.join(corner(edge.faces[0]), corner(edge.faces[1]));
+            }
+        }
+        let mut vertex_of = vec![NONE; 3 * self.triangles.len()];
+        let mut points = Vec::with_capacity(self.points.len());
+        for t in 0..self.triangles.len() {
+            for k in 0..3 {
+                let class = classes.of(3 * t + k);
+                if vertex_of[class] == NONE {
+                    vertex_of[class] = points.len() as u32;
+                    points.push(self.points[self.triangles[t][k] as usize]);
+                }
+                self.triangles[t][k] = vertex_of[class];
+            }
+        }
+        self.points = points;
+    }
+
+    /// Halves every edge longer than `longest`; whether there were any.
+    fn split_edges(&mut self, longest: f64) -> bool {
+        let mut middle_of = vec![NONE; self.edges.len()];
+        for (edge, middle) in self.edges.iter().zip(&mut middle_of) {
+            let [a, b] = edge.ends.map(|v| self.points[v as usize]);
+            if a.distance_squared(b) > longest * longest {
+                *middle = self.points.len() as u32;
+                self.points.push(0.5 * (a + b));
+            }
+        }
+        let mut triangles = Vec::with_capacity(2 * self.triangles.len());
+        for (corners, edges) in self.triangles.iter().zip(&self.edges_of) {
+            let middles = edges.map(|edge| middle_of[edge as usize]);
+            let whole = middles.iter().filter(|&&m| m == NONE).count();
+            // Turned so that the odd edge out comes first.
+            let odd = match whole {
+                1 => middles.iter().position(|&m| m == NONE),
+                2 => middles.iter().position(|&m| m != NONE),
+                _ => None,
+            }
+            .unwrap_or(0);
+            let ([a, b, c], [ab, bc, ca]) =
+                ([0, 1, 2].map(|k| corners[(k + odd) % 3]), [0, 1, 2].map(|k| middles[(k + odd) % 3]));
+            let point = |v: u32| self.points[v as usize];
+            match whole {
+                0 => triangles.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]),
+                1 if point(a).distance_squared(point(bc)) < point(b).distance_squared(point(ca)) => {
+                    triangles.extend([[a, b, bc], [a, bc, ca], [ca, bc, c]]);
+                }
+                1 => triangles.extend([[a, b, ca], [b, bc, ca], [ca, bc, c]]),
+                2 => triangles.extend([[a, ab, c], [ab, b, c]]),
+                _ => triangles.push([a, b, c]),
+            }
+        }
+        let split = triangles.len() > self.triangles.len();
+        self.triangles = triangles;
+        split
+    }
+
+    fn find_fans(&mut self) {
+        self.fan_starts = vec![0; self.points.len() + 1];
+        for &v in self.triangles.iter().flatten() {
+            self.fan_starts[v as usize + 1] += 1;
+        }
+        for v in 0..self.points.len() {
+            self.fan_starts[v + 1] += self.fan_starts[v];
+        }
+        let mut next = self.fan_starts.clone();
+        self.fans = vec![0; 3 * self.triangles.len()];
+        for (t, corners) in self.triangles.iter().enumerate() {
+            for &v in corners {
+                self.fans[next[v as usize] as usize] = t as u32;
+                next[v as usize] += 1;
+            }
+        }
+    }
+
+    fn find_parts(&mut self) {
+        let mut classes = Classes::new(self.points.len());
+        for edge in &self.edges {
+            classes.join(edge.ends[0] as usize, edge.ends[1] as usize);
+        }
+        let mut name_of = vec![NONE; self.points.len()];
+        self.part_of = vec![0; self.points.len()];
+        self.parts = 0;
+        for v in 0..self.points.len() {
+            let class = classes.of(v);
+            if name_of[class] == NONE {
+                name_of[class] = self.parts as u32;
+                self.parts += 1;
+            }
+            self.part_of[v] = name_of[class];
+        }
+    }
+
+    fn find_normals(&mut self) {
+        let mut sums = vec![DVec3::ZERO; self.points.len()];
+        for (t, corners) in self.triangles.iter().enumerate() {
+            let normal = self.area_normal(t as u32);
+            for &v in corners {
+                sums[v as usize] += normal;
+            }
+        }
+        self.normals = sums.into_iter().map(|sum| sum.normalize_or(DVec3::Y)).collect();
+    }
+}
+
+fn too_fine(longest: f64) -> Error {
+    let works = (2.0 * longest * 1000.0).ceil() / 1000.0;
+    Error::setting("curve_spacing", "is too fine for this mesh", format!("use {works} or more"))
+}
+
+/// The nearest point of a triangle: its weights on the corners, and itself (by regions, Ericson 2005, 5.1.5).
+pub fn nearest_in_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> ([f64; 3], DVec3) {
+    let (ab, ac, ap) = (b - a, c - a, p - a);
+    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
+    let (d3, d4) = (ab.dot(p - b), ac.dot(p - b));
+    let (d5, d6) = (ab.dot(p - c), ac.dot(p - c));
+    let (va, vb, vc) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
+    let share = |part: f64, whole: f64| if whole > 0.0 { (part / whole).clamp(0.0, 1.0) } else { 0.0 };
+    let weights = if d1 <= 0.0 && d2 <= 0.0 {
+        [1.0, 0.0, 0.0]
+    } else if d3 >= 0.0 && d4 <= d3 {
+        [0.0, 1.0, 0.0]
+    } else if d6 >= 0.0 && d5 <= d6 {
+        [0.0, 0.0, 1.0]
+    } else if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let t = share(d1, d1 - d3);
+        [1.0 - t, t, 0.0]
+    } else if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let t = share(d2, d2 - d6);
+        [1.0 - t, 0.0, t]
+    } else if va <= 0.0 && d4 >= d3 && d5 >= d6 {
+        let t = share(d4 - d3, (d4 - d3) + (d5 - d6));
+        [0.0, 1.0 - t, t]
+    } else {
+        let (v, w) = (share(vb, va + vb + vc), share(vc, va + vb + vc));
+        [1.0 - v - w, v, w]
+    };
+    (weights, weights[0] * a + weights[1] * b + weights[2] * c)
+}
+
+/// Union-find with halved paths.
+#[derive(Debug, Clone)]
+pub struct Classes(Vec<u32>);
+
+impl Classes {
+    pub fn new(count: usize) -> Self {
+        Classes((0..count as u32).collect())
+    }
+
+    pub fn of(&mut self, mut i: usize) -> usize {
+        while self.0[i] as usize != i {
+            self.0[i] = self.0[self.0[i] as usize];
+            i = self.0[i] as usize;
+        }
+        i
+    }
+
+    /// Joins two classes; whether they were two.
+    pub fn join(&mut self, a: usize, b: usize) -> bool {
+        let (a, b) = (self.of(a), self.of(b));
+        self.0[a.max(b)] = a.min(b) as u32;
+        a != b
+    }
+}
