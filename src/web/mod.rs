@@ -6,6 +6,7 @@ mod pictures;
 mod preview;
 mod run;
 mod subject;
+mod surface;
 
 use crate::settings::{Kind, Preset, Setting, Settings, Task};
 use crate::{Error, Result};

@@ -235,11 +235,15 @@ export interface Measures {
 
 /** How evenly a wire covers a shape. */
 export interface SurfaceMeasures {
-  /** From places of the surface to the wire, world units: 99 of 100 are nearer than the first. */
-  readonly p99_world: number;
-  readonly worst_world: number;
-  /** Farthest that it is off the surface, world units. */
-  readonly drift_world: number;
+  /** From line to line, as it was asked for, world units. */
+  readonly spacing: number;
+  /** From places of the surface to the wire, in spacings: the mean, what 99 of 100 are nearer than, the farthest. */
+  readonly mean: number;
+  readonly p99: number;
+  readonly worst: number;
+  /** How far it is off the surface, world units. */
+  readonly drift_mean: number;
+  readonly drift_max: number;
   /** Share of the wire by the distance to the nearest other line: number `k` from `k / 10` spacings on. */
   readonly strands: readonly number[];
   /** Share of the wire that is nearer than half a spacing to another line. */

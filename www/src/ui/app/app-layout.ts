@@ -143,7 +143,6 @@ export const layout = css`
     }
     #part-pictures.one {
       grid-template-columns: minmax(0, 1fr);
-      container-type: inline-size;
     }
     #part-pictures remedy-list {
       grid-column: 1 / -1;

@@ -20,11 +20,11 @@ export function covered(made: Made): string {
     if (made.source === "example") return "One closed wire covers the whole shape. Make it again to watch how it gets there.";
     return apart || "One closed wire. Its shape is not with it, so there is nothing to measure it by.";
   }
-  const worst = worldLength(surface.worst_world);
+  const worst = worldLength(surface.worst * surface.spacing);
   const sentences = [
     `Every spot is within ${worst} of the shape’s size of the wire${apart ? "" : ", which is one closed loop"}.`,
     apart,
-    surface.drift_world > SEEN_WORLD ? `It leaves the surface by up to ${worldLength(surface.drift_world)}: less style, or a stronger pull to the surface, keeps it there.` : "",
+    surface.drift_max > SEEN_WORLD ? `It leaves the surface by up to ${worldLength(surface.drift_max)}: less style, or a stronger pull to the surface, keeps it there.` : "",
     surface.crowded > CROWDED ? `Along ${percent(surface.crowded)} of it, lines come close to each other.` : "",
     made.stopped ? "It was stopped early: going on may still help." : "",
   ];

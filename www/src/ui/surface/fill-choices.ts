@@ -37,9 +37,14 @@ export class FillChoices extends Part {
     controls,
     css`
       :host {
-        display: grid;
-        gap: 12px;
+        display: block;
+        container-type: inline-size;
         min-width: 0;
+      }
+      .all {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr);
+        gap: 12px;
       }
       .choice {
         display: grid;
@@ -81,7 +86,13 @@ export class FillChoices extends Part {
         color: var(--quiet);
       }
       select {
+        flex: 0 1 auto;
         color: var(--ink);
+      }
+      @container (max-width: 199px) {
+        .run {
+          display: grid;
+        }
       }
       /* Always there: nothing jumps when lines are laid. */
       .laying {
@@ -115,7 +126,7 @@ export class FillChoices extends Part {
       }
       /* A phone: side by side. */
       @container (min-width: 300px) {
-        :host {
+        .all {
           grid-template-columns: repeat(2, minmax(0, 1fr));
           gap: 12px 24px;
         }
@@ -130,15 +141,14 @@ export class FillChoices extends Part {
     const { covering, doc } = this.state;
     const styled = doc.cover?.style != null;
     const busy = covering !== null;
-    return html`
-      ${this.slider(SPACING)}
-      ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "Choose a style above")}
+    return html`<div class="all">
+      ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "needs a style")}
       <label class="run">Lines run ${this.flow(styled)}</label>
       <div class=${busy ? "laying busy" : "laying"}>
         <div class="bar">${busy ? html`<i></i>` : nothing}</div>
         <span class="small quiet" role="status">${busy ? "Laying the lines…" : this.words()}</span>
       </div>
-    `;
+    </div>`;
   }
 
   protected override updated(): void {

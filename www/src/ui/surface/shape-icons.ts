@@ -18,7 +18,7 @@ function sphere() {
     const [y, r] = [24 - 19 * Math.sin((degrees * Math.PI) / 180), 19 * Math.cos((degrees * Math.PI) / 180)];
     return band(rounded(y), rounded(r), rounded(0.28 * r));
   };
-  return [svg`<circle class="clay" cx="24" cy="24" r="19" />`, lines(...[60, 36, 12, -12, -36, -60].map(at))];
+  return [svg`<circle class="clay" cx="24" cy="24" r="19" />`, lines(...[56, 34, 13, -8, -29, -50].map(at))];
 }
 
 function torus() {

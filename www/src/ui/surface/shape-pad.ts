@@ -27,6 +27,7 @@ export class ShapePad extends Part {
     css`
       :host {
         display: block;
+        container-type: inline-size;
         min-width: 0;
       }
       h2 {
@@ -34,8 +35,8 @@ export class ShapePad extends Part {
         color: var(--ink);
       }
       svg {
-        width: 44px;
-        height: 44px;
+        width: 50px;
+        height: 50px;
       }
       .picture svg.icon {
         width: 22px;

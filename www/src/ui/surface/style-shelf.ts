@@ -31,6 +31,7 @@ export class StyleShelf extends Part {
     css`
       :host {
         display: block;
+        container-type: inline-size;
         min-width: 0;
       }
       h2 {

@@ -167,9 +167,9 @@ export class SurfaceResult extends Part {
     const measures = made?.finished.measures;
     const surface = measures?.surface;
     return [
-      ["Within", surface ? worldLength(surface.p99_world) : DASH],
+      ["Within", surface ? worldLength(surface.p99 * surface.spacing) : DASH],
       ["Pieces", measures ? count(measures.components) : DASH],
-      ["Off the surface", surface ? worldLength(surface.drift_world) : DASH],
+      ["Off the surface", surface ? worldLength(surface.drift_mean) : DASH],
       ["Length", measures ? measures.length.toFixed(1) : DASH],
       ["Control points", measures ? count(measures.control_points) : DASH],
       ["Time", made?.seconds ? `${made.seconds.toFixed(1)} s` : DASH],

@@ -88,6 +88,17 @@ export const tilesStyle = css`
     outline: 2px solid var(--copper);
     outline-offset: 2px;
   }
+  /* A narrow column on a small desk; and a wide sheet. */
+  @container (max-width: 199px) {
+    .tiles {
+      grid-template-columns: repeat(2, minmax(0, 1fr));
+    }
+  }
+  @container (min-width: 480px) {
+    .tiles {
+      grid-template-columns: repeat(6, minmax(0, 1fr));
+    }
+  }
   @media (forced-colors: active) {
     input:checked ~ .picture,
     button.chosen .picture {
