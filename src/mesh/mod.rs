@@ -1,10 +1,20 @@
 //! Triangle meshes: what a wire covers.
 
 mod ball;
+mod depth;
+mod mend;
 mod nearest;
+mod read;
 mod shape;
+mod sides;
+mod weld;
 
+pub use depth::{Depths, silhouette};
+pub use mend::Mended;
 pub use nearest::{Hit, Nearest};
+#[cfg(feature = "cli")]
+pub use read::open_mesh;
+pub use read::{MAX_MESH_BYTES, MAX_TRIANGLES, read_mesh};
 pub use shape::Shape;
 
 use crate::{Error, Result};

@@ -10,6 +10,7 @@ mod picture;
 mod pieces;
 mod report;
 mod shape;
+mod surface;
 
 pub use evenness::Evenness;
 pub use picture::{PictureMatch, match_pictures, match_pictures_with, precision_2px, psnr_db, recall_2px, soft_iou};
@@ -17,3 +18,4 @@ pub use report::{
     ArrangementReport, BentReport, EventReport, REPORT_SIZE_PX, Report, ResultReport, TimeReport, ViewReport,
 };
 pub use shape::{ShapeMetrics, shape};
+pub use surface::SurfaceReport;

@@ -1,6 +1,6 @@
 //! What `report.json` holds, field for field. Tasks fill it; `wire4d metrics` prints [`ResultReport`].
 
-use super::{PictureMatch, ShapeMetrics, match_pictures, shape};
+use super::{PictureMatch, ShapeMetrics, SurfaceReport, match_pictures, shape};
 use crate::sculpture::{Sculpture, render};
 use crate::view::Image;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -84,6 +84,9 @@ pub struct ResultReport {
     /// The wire's shape.
     #[serde(flatten)]
     pub shape: ShapeMetrics,
+    /// How the wire covers a surface, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<SurfaceReport>,
 }
 
 /// How well one view matches its drawing, arranged but not bent. `null` where there is no drawing to compare with.
@@ -135,16 +138,27 @@ pub struct BentReport {
 impl ResultReport {
     /// Measures a sculpture against `targets`, one a view in the views' order (`None` or missing: not compared).
     pub fn measure(sculpture: &Sculpture, targets: &[Option<Image>]) -> ResultReport {
+        ResultReport::measure_with(sculpture, targets, |view, [width, height]| {
+            render(&sculpture.wire, &sculpture.views[view].with_size(width, height))
+        })
+    }
+
+    /// [`ResultReport::measure`] where a view, by its index, shows at some width and height what `draw` says.
+    pub fn measure_with(
+        sculpture: &Sculpture,
+        targets: &[Option<Image>],
+        draw: impl Fn(usize, [usize; 2]) -> Image,
+    ) -> ResultReport {
         let views = sculpture.views.iter().enumerate().map(|(i, view)| {
-            let found = targets.get(i).and_then(Option::as_ref).map(|target| {
-                match_pictures(target, |width, height| render(&sculpture.wire, &view.with_size(width, height)))
-            });
+            let target = targets.get(i).and_then(Option::as_ref);
+            let found = target.map(|target| match_pictures(target, |width, height| draw(i, [width, height])));
             ViewReport::new(&view.name, found)
         });
         ResultReport {
             views: views.collect(),
             control_points: sculpture.wire.control_points().len(),
             shape: shape(&sculpture.wire, &sculpture.views),
+            surface: None,
         }
     }
 }

@@ -5,7 +5,7 @@ mod file;
 mod render;
 
 pub use file::{FORMAT_VERSION, MAX_FILE_BYTES};
-pub use render::{SAMPLES_PER_SPAN, render, render_sampled};
+pub use render::{SAMPLES_PER_SPAN, render, render_sampled, render_seen};
 
 use crate::{view::View, wire::Wire};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! From a path to control points at an even distance.
+//! From a path to a wire: control points at an even distance along it.
 
 use super::Path;
 use crate::error::{Error, Result};

@@ -1,6 +1,7 @@
 //! What a person can ask for, each a short recipe that composes the rooms below.
 
 mod engine;
+pub mod fill;
 mod fit;
 pub mod multiview;
 pub mod preview;

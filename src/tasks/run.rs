@@ -4,9 +4,10 @@ use super::fit::event_reports;
 use super::saved::SavedRun;
 use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
 use crate::optimize::{Event, Place, Session, wait};
-use crate::sculpture::{MadeWith, Sculpture};
+use crate::sculpture::{MadeWith, Sculpture, render};
 use crate::settings::Settings;
-use crate::view::{Occluder, Target, View};
+use crate::view::{Image, Occluder, Target, View};
+use crate::wire::Wire;
 
 /// How a picture was laid into a view.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -50,6 +51,11 @@ pub trait Job: Sized {
 
     /// How view `view` of the targets came to its picture.
     fn placed(&self, view: usize) -> Placed;
+
+    /// What view `view` of the targets shows of a wire, at `width` x `height` px.
+    fn draw(&self, wire: &Wire, view: usize, [width, height]: [usize; 2], _settings: &Settings) -> Image {
+        render(wire, &self.targets()[view].view.with_size(width, height))
+    }
 
     /// Adds what only this task knows to what was measured of `made`.
     fn complete(&self, _result: &mut ResultReport, _made: &Sculpture, _run: &Run<Self>) {}
@@ -157,11 +163,19 @@ impl<J: Job> Run<J> {
         }
     }
 
+    /// What view `view` of the targets shows of a wire.
+    pub fn draw(&self, wire: &Wire, view: usize) -> Image {
+        let Image { width, height, .. } = self.targets()[view].ink;
+        self.job.draw(wire, view, [width, height], &self.settings)
+    }
+
     /// The `result` part of a report: the best wire so far against [`Run::targets`], and what the task adds.
     pub fn result(&self) -> ResultReport {
         let made = self.sculpture();
         let pictures: Vec<_> = self.targets().iter().map(|target| Some(target.ink.clone())).collect();
-        let mut result = ResultReport::measure(&made, &pictures);
+        let mut result = ResultReport::measure_with(&made, &pictures, |view, size| {
+            self.job.draw(&made.wire, view, size, &self.settings)
+        });
         self.job.complete(&mut result, &made, self);
         result
     }

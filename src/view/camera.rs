@@ -143,6 +143,17 @@ impl<R: Real> Camera<R> {
         ]
     }
 
+    /// `[x w, y w, w]` of a point in pixels, w its depth, or 1 where rays are parallel: finite and straight behind the
+    /// eye too.
+    pub(crate) fn homogeneous_px(&self, point: &[R; 4]) -> [R; 3] {
+        let w = if self.perspective { self.depth(point) } else { R::one() };
+        [
+            self.centre_px[0] * w + self.scale * dot(&self.right, point),
+            self.centre_px[1] * w + self.scale * dot(&self.down, point),
+            w,
+        ]
+    }
+
     /// Adjoint of [`Camera::project`]: from d(x_px, y_px, radius_px) to d(x, y, z, width).
     /// With p = k q, k = f / z: dq = k dp, dz = -(k / z) Σ q dp.
     pub fn project_vjp(&self, point: &[R; 4], d_pixel: &[R; 3]) -> [R; 4] {

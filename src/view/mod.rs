@@ -5,6 +5,7 @@ mod flatten;
 mod image;
 mod mask;
 mod object;
+mod patterns;
 mod picture;
 #[cfg(feature = "cli")]
 mod read;
@@ -20,6 +21,7 @@ pub use flatten::{Flattening, PROJECTION_TOLERANCE_PX, pieces_per_span, projecti
 pub use image::Image;
 pub use mask::{Components, Mask, NOWHERE, PixelBox};
 pub use object::{OBJECT_PX, Object, Parts, find_object};
+pub use patterns::Pattern;
 pub use picture::{MAX_PICTURE_PIXELS, MAX_PICTURE_PX, Picture, Polarity, ink};
 #[cfg(feature = "cli")]
 pub use read::{decode_picture, read_picture};

@@ -4,14 +4,11 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::Path;
-use wire4d::mesh::{Shape, read_mesh_file};
+use wire4d::mesh::Shape;
 use wire4d::settings::Task;
 use wire4d::tasks::fill::{self, Given, Run, Style};
-use wire4d::view::{GreyDepth, Pattern, Polarity, ink, read_picture};
+use wire4d::view::{GreyDepth, Polarity, ink, read_picture};
 use wire4d::{Error, Result};
-
-/// Side of a pattern's picture, px.
-const PATTERN_PX: usize = 512;
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Fill)?;
@@ -24,6 +21,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         making.bar.set_position((100.0 * share) as u64);
         !making.is_stopped()
     })?;
+    let Some(plan) = plan else { return Err(Error::output(out.display().to_string(), "stopped", "run it again")) };
     plan.notes().iter().for_each(|note| making.say(note));
     let mut run = Run::start(plan, &settings)?;
     let time = making.fit(&mut run);
@@ -45,9 +43,9 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
 /// A built-in shape or pattern by its word, unless a file is called so; else a file.
 fn given(matches: &ArgMatches) -> Result<Given> {
     let path = args::path(matches, "mesh");
-    let mut given = match Shape::of(&path.to_string_lossy()).filter(|_| !path.exists()) {
+    let mut given = match Shape::named(&path.to_string_lossy()).filter(|_| !path.exists()) {
         Some(shape) => Given::shape(shape),
-        None => Given::mended(&path.display().to_string(), read_mesh_file(path)?),
+        None => return Err(Error::input(path.display().to_string(), "?", "?")),
     };
     given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
     Ok(given)
@@ -55,13 +53,6 @@ fn given(matches: &ArgMatches) -> Result<Given> {
 
 fn style(path: &Path) -> Result<Style> {
     let name = path.display().to_string();
-    if let Some(pattern) = Pattern::of(&name).filter(|_| !path.exists()) {
-        return Ok(Style { name, ink: pattern.picture(PATTERN_PX), tiles: true });
-    }
-    if !path.exists() && path.extension().is_none() {
-        let words: Vec<&str> = Pattern::ALL.iter().map(|pattern| pattern.name()).collect();
-        return Err(Error::picture(name, "is neither a file nor a pattern", format!("give a picture or {}", words.join(", "))));
-    }
     let (ink, _) = ink(&read_picture(path)?, Polarity::Auto)?;
     Ok(Style { name, ink, tiles: false })
 }

@@ -1,7 +1,7 @@
 //! The closed lines on which a function at the vertices of a surface is zero.
 
 use super::strand::{Node, Strand};
-use super::surface::{NONE, Surface};
+use super::surface::{Classes, NONE, Surface};
 
 /// Lines between vertices where `values` are positive and where not. Every line is closed if no positive vertex lies on
 /// the rim; the others are left out.
@@ -30,7 +30,9 @@ pub fn zero_lines(surface: &Surface, values: &[f64]) -> Vec<Strand> {
                 normal: surface.normals[a].lerp(surface.normals[b], t).normalize_or(surface.normals[a]),
                 triangle: face,
             });
-            let Some(&on) = surface.edges_of[face as usize].iter().find(|&&e| e != edge && is_cut(e)) else { break false };
+            let Some(&on) = surface.edges_of[face as usize].iter().find(|&&e| e != edge && is_cut(e)) else {
+                break false;
+            };
             let faces = surface.edges[on as usize].faces;
             let beyond = if faces[0] == face { faces[1] } else { faces[0] };
             if on == start {
@@ -46,4 +48,53 @@ pub fn zero_lines(surface: &Surface, values: &[f64]) -> Vec<Strand> {
         }
     }
     lines
+}
+
+/// Gives every part on which none or all of the values are positive a line that goes round it: parts with a rim half way
+/// in from it (`rim` holds distances to it), others where half the range of the values lies.
+pub fn cross_zero(surface: &Surface, values: &mut [f64], rim: &[f64]) {
+    let everywhere = ranges(surface, values);
+    let alike = |v: usize| {
+        let (low, high) = everywhere[surface.part_of[v] as usize];
+        low > 0.0 || high <= 0.0
+    };
+    let levels: Vec<f64> = (0..values.len()).map(|v| if rim[v].is_finite() { rim[v] } else { values[v] }).collect();
+    let ranges = ranges(surface, &levels);
+    for v in (0..values.len()).filter(|&v| alike(v)) {
+        let (low, high) = ranges[surface.part_of[v] as usize];
+        values[v] = levels[v] - 0.5 * (low + high);
+    }
+}
+
+/// Least and greatest value on every part.
+fn ranges(surface: &Surface, values: &[f64]) -> Vec<(f64, f64)> {
+    let mut ranges = vec![(f64::INFINITY, f64::NEG_INFINITY); surface.parts];
+    for (&value, &part) in values.iter().zip(&surface.part_of) {
+        let range = &mut ranges[part as usize];
+        *range = (range.0.min(value), range.1.max(value));
+    }
+    ranges
+}
+
+/// Turns the sign of regions in which no value goes beyond `least`: there lines would run closer than they should.
+pub fn without_slivers(surface: &Surface, values: &mut [f64], least: f64) {
+    for sign in [1.0, -1.0] {
+        let mut regions = Classes::new(values.len());
+        let is_in = |v: u32, values: &[f64]| (values[v as usize] > 0.0) == (sign > 0.0);
+        for edge in &surface.edges {
+            if edge.ends.iter().all(|&v| is_in(v, values)) {
+                regions.join(edge.ends[0] as usize, edge.ends[1] as usize);
+            }
+        }
+        let mut peaks = vec![0.0f64; values.len()];
+        for v in 0..values.len() {
+            let region = regions.of(v);
+            peaks[region] = peaks[region].max(sign * values[v]);
+        }
+        for v in 0..values.len() as u32 {
+            if is_in(v, values) && peaks[regions.of(v as usize)] < least {
+                values[v as usize] *= -0.1;
+            }
+        }
+    }
 }

@@ -10,6 +10,8 @@ const ROUNDS: usize = 12;
 /// Levels up to this size are solved from several random starts, of which the smoothest goes on.
 const TRIAL_SIZE: usize = 600;
 const TRIALS: usize = 8;
+/// How far a direction is turned with the surface between neighbours, 0 to 1.
+const TURNING: f64 = 0.8;
 
 /// Unit tangents at the vertices of the finest level, each up to its sign.
 pub fn line_field(levels: &[Level], guide: &Guide, seed: u64) -> Vec<DVec3> {
@@ -47,17 +49,23 @@ fn prolonged(level: &Level, coarse: &[DVec3]) -> Vec<DVec3> {
     level.parents.iter().zip(&level.normals).map(|(&p, &normal)| tangent(coarse[p as usize], normal)).collect()
 }
 
-/// One Gauss-Seidel round. A neighbour's direction counts as it is in space, laid into the tangent plane: so lines
-/// follow what is long in the shape.
+/// One Gauss-Seidel round.
 fn smooth(level: &Level, wishes: &[DVec3], field: &mut [DVec3]) {
     for v in 0..field.len() {
         let own = field[v];
         let mut sum = aligned(wishes[v], own);
         for &(other, weight) in level.ties_of(v) {
-            sum += weight * aligned(field[other as usize], own);
+            sum += weight * aligned(carried(field[other as usize], level, other as usize, v), own);
         }
         field[v] = tangent_or(sum, level.normals[v], own);
     }
+}
+
+/// A direction at `from` as it counts at `to`: for the most part turned with the surface, so that curved surfaces do not
+/// force defects, for the rest as it is in space, so that lines rather follow what is long in the shape.
+fn carried(direction: DVec3, level: &Level, from: usize, to: usize) -> DVec3 {
+    let (m, n) = (level.normals[from], level.normals[to]);
+    direction - (m + n) * (TURNING * n.dot(direction) / (1.0 + m.dot(n)).max(0.1))
 }
 
 /// Sum over ties of the squared sine between directions, and of what is wished and not kept.
@@ -66,7 +74,8 @@ fn roughness(level: &Level, wishes: &[DVec3], field: &[DVec3]) -> f64 {
     for v in 0..field.len() {
         sum += wishes[v].length() - wishes[v].dot(field[v]).abs();
         for &(other, weight) in level.ties_of(v) {
-            sum += weight * (1.0 - field[v].dot(field[other as usize]).powi(2));
+            let there = carried(field[other as usize], level, other as usize, v);
+            sum += weight * (1.0 - field[v].dot(there).powi(2));
         }
     }
     sum

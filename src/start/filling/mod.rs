@@ -5,72 +5,27 @@
 
 mod contour;
 mod field;
+mod guide;
 mod hierarchy;
 mod parts;
 mod phase;
 mod relax;
 mod stitch;
 mod strand;
+mod stripes;
 mod surface;
 
 use super::Path;
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 
+pub use guide::{Guide, Wish};
 pub(crate) use relax::{Sample, samples};
 pub(crate) use strand::{Grid, Node, SAME_SIDE, Strands, foot};
 pub(crate) use surface::Surface;
 
 /// Spacings that [`fill`] takes, world units.
 pub const SPACINGS_WORLD: std::ops::RangeInclusive<f64> = 0.02..=0.2;
-
-/// Where [`Guide::Custom`] wants lines at a point of the surface (world, with its unit normal): a direction, of which
-/// the part along the surface counts and the sign does not, and its weight against smoothness (0 to 100; at 1 it counts
-/// as much as all neighbours together). `None` where any direction is as good.
-pub type Wish = dyn Fn(&[f64; 3], &[f64; 3]) -> Option<([f64; 3], f64)> + Send + Sync;
-
-/// Which way the lines run.
-#[derive(Default)]
-pub enum Guide {
-    /// Smoothly, along what is long in the shape.
-    #[default]
-    Smooth,
-    /// Along a direction in the world, as far as the surface lets them.
-    Along([f64; 3]),
-    /// Across a direction in the world: for "up" like the rings of a potter's wheel.
-    Across([f64; 3]),
-    /// As a function asks for.
-    Custom(Box<Wish>),
-}
-
-impl std::fmt::Debug for Guide {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        match self {
-            Guide::Smooth => write!(f, "Smooth"),
-            Guide::Along(direction) => write!(f, "Along({direction:?})"),
-            Guide::Across(direction) => write!(f, "Across({direction:?})"),
-            Guide::Custom(_) => write!(f, "Custom"),
-        }
-    }
-}
-
-impl Guide {
-    fn wish(&self, point: [f64; 3], normal: [f64; 3]) -> Option<([f64; 3], f64)> {
-        use glam::DVec3;
-        let n = DVec3::from(normal);
-        // Where the direction stands on the surface it says nothing.
-        let weighted = |direction: &[f64; 3], turn: &dyn Fn(DVec3) -> DVec3| {
-            let flat = DVec3::from(*direction).normalize_or_zero().reject_from_normalized(n);
-            Some((turn(flat).to_array(), flat.length_squared()))
-        };
-        match self {
-            Guide::Smooth => None,
-            Guide::Along(direction) => weighted(direction, &|flat| flat),
-            Guide::Across(direction) => weighted(direction, &|flat| n.cross(flat)),
-            Guide::Custom(wish) => wish(&point, &normal),
-        }
-    }
-}
 
 /// How to fill a mesh.
 #[derive(Debug)]
@@ -89,7 +44,7 @@ pub struct FillOptions {
 
 impl Default for FillOptions {
     fn default() -> Self {
-        FillOptions { spacing_world: 0.06, width_world: 0.01, guide: Guide::Smooth, seed: 0, rounds: 20 }
+        FillOptions { spacing_world: 0.06, width_world: 0.01, guide: Guide::Smooth, seed: 0, rounds: 10 }
     }
 }
 
@@ -117,33 +72,36 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
         let remedy = format!("use {low} to {high}");
         return Err(Error::setting("curve_spacing", format!("{spacing} is out of range"), remedy));
     }
-    let t = std::time::Instant::now();
-    let log = |what: &str| eprintln!("  {:6.3} {what}", t.elapsed().as_secs_f64());
     let surface = Surface::new(mesh, spacing / 2.0)?;
-    log(&format!("surface {} tri", surface.triangles.len()));
-    let levels = hierarchy::levels(&surface);
-    log(&format!("levels {:?}", levels.iter().map(|l| l.points.len()).collect::<Vec<_>>()));
-    let field = field::line_field(&levels, &options.guide, options.seed);
-    log("field");
-    let period = spacing * PERIOD;
-    let mut values = phase::stripes(&levels, &field, period, options.seed);
-    for (value, distance) in values.iter_mut().zip(surface.rim_distances()) {
-        *value = value.min((distance - spacing / 2.0) * std::f64::consts::PI / spacing);
+    if !progress(0.1) {
+        return Ok(None);
     }
-    log("phase");
-    let lines = contour::zero_lines(&surface, &values);
-    log(&format!("contour {} lines", lines.len()));
-    let lines = stitch::stitched(&surface, lines, spacing);
-    log(&format!("stitched {}", lines.len()));
-    let told = &mut |share: f64| progress(0.3 + 0.7 * share as f32);
-    let Some(lines) = relax::relaxed(&surface, lines, spacing, options.rounds, told) else { return Ok(None) };
-    log("relaxed");
-    let line = parts::joined(lines);
+    let levels = hierarchy::levels(&surface);
+    let field = field::line_field(&levels, &options.guide, options.seed);
+    if !progress(0.25) {
+        return Ok(None);
+    }
+    let lines = stripes::stripes(&surface, &levels, &field, spacing, options.seed);
+    let covered: std::collections::BTreeSet<u32> = lines.iter().map(|line| surface.part(line[0].triangle)).collect();
+    if covered.is_empty() {
+        let remedy = "use a finer spacing or scale the mesh up";
+        return Err(Error::input("mesh", "has no part large enough to hold a line", remedy));
+    }
+    let lines = stitch::stitched(&surface, &lines, spacing);
+    let relaxing = &mut |share: f64| progress(0.4 + 0.6 * share as f32);
+    let Some(lines) = relax::relaxed(&surface, &lines, spacing, options.rounds, relaxing) else { return Ok(None) };
+    let line = parts::joined(&lines, spacing);
+    let mut notes = Vec::new();
+    match surface.parts - covered.len() {
+        0 => {}
+        1 => notes.push("one part is too small for the spacing and left out".to_owned()),
+        n => notes.push(format!("{n} parts are too small for the spacing and left out")),
+    }
+    if lines.len() > 1 {
+        notes.push(format!("{} parts are joined by links through space", lines.len()));
+    }
     let node = |node: &strand::Node| [node.point.x, node.point.y, node.point.z, options.width_world];
     let path = Path { points: line.iter().map(node).collect(), closed: true };
     let normals = line.iter().map(|node| node.normal.to_array()).collect();
-    Ok(Some(Filling { path, normals, notes: Vec::new() }))
+    Ok(Some(Filling { path, normals, notes }))
 }
-
-/// Stripes this much nearer than the spacing, so that area / length is the spacing in the end.
-const PERIOD: f64 = 1.0;

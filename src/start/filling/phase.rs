@@ -9,7 +9,7 @@ const ROUNDS: usize = 40;
 
 /// `cos` of the phase at the vertices of the finest level, for lines along `field` every `spacing`. The phase grows by a
 /// turn in two spacings; it is known up to its sign, as the field is, and the cosine does not depend on that.
-pub fn stripes(levels: &[Level], field: &[DVec3], spacing: f64, seed: u64) -> Vec<f64> {
+pub fn waves(levels: &[Level], field: &[DVec3], spacing: f64, seed: u64) -> Vec<f64> {
     let fields = across(levels, field);
     let turn = std::f64::consts::PI / spacing;
     let mut rng = Rng::new(seed, 77);

@@ -19,7 +19,7 @@ const REACH: [f64; 2] = [0.7, 2.5];
 /// Longest step of a round, in spacings.
 const LONGEST_STEP: f64 = 1.0 / 8.0;
 /// Against the tension at which the wanted spacing costs least, so that lines run calmly.
-const TENSION: f64 = 1.5;
+const TENSION: f64 = 1.3;
 /// Times that pulls are smoothed along the line: few samples make a node's mean uncertain.
 const SMOOTHINGS: usize = 4;
 /// Rounds in which the moves of a line's nodes are solved for; each leaves about three quarters of the error.
@@ -42,7 +42,8 @@ pub fn samples(surface: &Surface, spacing: f64, a_square: f64) -> Vec<Sample> {
         while all.len() as f64 + 0.5 < due {
             // The R2 sequence (Roberts 2018), folded into the triangle.
             let n = all.len() as f64;
-            let (mut u, mut v) = ((0.5 + n * 0.754_877_666_246_692_8).fract(), (0.5 + n * 0.569_840_290_998_053_3).fract());
+            let (mut u, mut v) =
+                ((0.5 + n * 0.754_877_666_246_692_8).fract(), (0.5 + n * 0.569_840_290_998_053_3).fract());
             if u + v > 1.0 {
                 (u, v) = (1.0 - u, 1.0 - v);
             }
@@ -61,7 +62,7 @@ pub fn samples(surface: &Surface, spacing: f64, a_square: f64) -> Vec<Sample> {
 /// there is no result.
 pub fn relaxed(
     surface: &Surface,
-    lines: Vec<Strand>,
+    lines: &[Strand],
     spacing: f64,
     rounds: usize,
     progress: &mut dyn FnMut(f64) -> bool,
@@ -147,7 +148,8 @@ fn pull(strands: &Strands, grid: &Grid, sample: &Sample, spacing: f64) -> Option
     let same_side = |i: u32| strands.nodes[i as usize].normal.dot(sample.normal) > SAME_SIDE;
     let nearest = REACH.iter().find_map(|reach| grid.nearest(sample.point, reach * spacing, same_side))?;
     let on = |segment: u32| {
-        let (a, b) = (strands.nodes[segment as usize].point, strands.nodes[strands.next[segment as usize] as usize].point);
+        let (a, b) =
+            (strands.nodes[segment as usize].point, strands.nodes[strands.next[segment as usize] as usize].point);
         let t = foot(sample.point, a, b);
         Pull { segment, t, by: sample.point - a.lerp(b, t) }
     };
@@ -181,16 +183,19 @@ fn undo_crossings(strands: &mut Strands, before: &[Node], spacing: f64) {
 /// Without nodes much nearer than `step` to each other and with new ones in the middle of long segments.
 fn respaced(surface: &Surface, line: &[Node], step: f64) -> Strand {
     let mut nodes: Strand = Vec::with_capacity(line.len() + 8);
+    let gap = |a: &Node, b: &Node| a.point.distance(b.point);
+    let mut dispensable = line.len().saturating_sub(6);
     for (i, node) in line.iter().enumerate() {
-        if let Some(last) = nodes.last() {
-            let gap = last.point.distance(node.point);
-            if gap < 0.6 * step && line.len() - i + nodes.len() > 6 {
-                continue;
-            }
-            if gap > 1.5 * step {
-                let middle = Node::on(surface, last.point.midpoint(node.point), last.triangle);
-                nodes.push(middle);
-            }
+        let next = &line[(i + 1) % line.len()];
+        let behind = nodes.last().map_or(f64::INFINITY, |last| gap(last, node));
+        let seam = i + 1 == line.len() && gap(node, next) < 0.6 * step;
+        if dispensable > 0 && (behind < 0.6 * step || seam) {
+            dispensable -= 1;
+            continue;
+        }
+        if behind.is_finite() && behind > 1.5 * step {
+            let last = nodes[nodes.len() - 1];
+            nodes.push(Node::on(surface, last.point.midpoint(node.point), last.triangle));
         }
         nodes.push(*node);
     }

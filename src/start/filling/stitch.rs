@@ -13,11 +13,12 @@ pub const NODES_A_SPACING: f64 = 4.0;
 
 /// Joins the lines of every part of the surface by way of the calmest places. The lines are resampled, several nodes a
 /// spacing.
-pub fn stitched(surface: &Surface, lines: Vec<Strand>, spacing: f64) -> Vec<Strand> {
+pub fn stitched(surface: &Surface, lines: &[Strand], spacing: f64) -> Vec<Strand> {
     let lines: Vec<Strand> = lines.iter().map(|line| resampled(surface, line, spacing)).collect();
     let strands = Strands::new(&lines);
     let count = strands.nodes.len();
-    let mut work = Stitching { strands, spacing, removed: vec![false; count], near_cut: vec![false; count] };
+    let part_of = strands.nodes.iter().map(|node| surface.part(node.triangle)).collect();
+    let mut work = Stitching { strands, part_of, spacing, removed: vec![false; count], near_cut: vec![false; count] };
     let mut classes = Classes::new(lines.len());
     let mut joins: Vec<Node> = Vec::new();
     for (reach, clearance) in REACH.into_iter().zip(CLEARANCE) {
@@ -37,7 +38,7 @@ pub fn stitched(surface: &Surface, lines: Vec<Strand>, spacing: f64) -> Vec<Stra
             }
         }
     }
-    work.walked()
+    work.strands.walked(&work.removed)
 }
 
 /// As [`super::strand::resampled`] at the step that joins and relaxation use.
@@ -48,6 +49,8 @@ pub fn resampled(surface: &Surface, line: &[Node], spacing: f64) -> Strand {
 /// Lines in the middle of being joined.
 struct Stitching {
     strands: Strands,
+    /// The part of the surface that each node lies on.
+    part_of: Vec<u32>,
     spacing: f64,
     /// Nodes that no line holds any more.
     removed: Vec<bool>,
@@ -75,7 +78,8 @@ impl Stitching {
                     let other = &strands.nodes[j as usize];
                     let faces = (other.point - node.point).dot(across) > 0.7 * squared.sqrt();
                     let same_side = other.normal.dot(node.normal) > SAME_SIDE;
-                    if faces && same_side && !self.removed[j as usize] && (squared, j) < best {
+                    let here = !self.removed[j as usize] && self.part_of[j as usize] == self.part_of[i];
+                    if here && faces && same_side && (squared, j) < best {
                         best = (squared, j);
                     }
                 });
@@ -118,15 +122,8 @@ impl Stitching {
         let point = |i: u32| self.strands.nodes[i as usize].point;
         let same_way = point(a0).distance(point(b0)) + point(a1).distance(point(b1));
         let other_way = point(a0).distance(point(b1)) + point(a1).distance(point(b0));
-        let (first, last) = if same_way < other_way { (b0, b1) } else { (b1, b0) };
-        if first == b0 {
-            self.reverse(b0);
-        }
-        // From the first line over to `first`, along the whole second line to `last`, and back.
-        self.strands.next[a0 as usize] = first;
-        self.strands.previous[first as usize] = a0;
-        self.strands.next[last as usize] = a1;
-        self.strands.previous[a1 as usize] = last;
+        let is_ahead = same_way < other_way;
+        self.strands.join([a0, a1], if is_ahead { [b0, b1] } else { [b1, b0] }, is_ahead);
         for i in removed {
             self.removed[i as usize] = true;
         }
@@ -149,36 +146,5 @@ impl Stitching {
             ends = [self.strands.previous[ends[0] as usize], self.strands.next[ends[1] as usize]];
         }
         (ends, between)
-    }
-
-    /// Turns the whole line through `start` round.
-    fn reverse(&mut self, start: u32) {
-        let mut at = start;
-        loop {
-            let i = at as usize;
-            at = self.strands.next[i];
-            (self.strands.next[i], self.strands.previous[i]) = (self.strands.previous[i], at);
-            if at == start {
-                return;
-            }
-        }
-    }
-
-    /// The lines there are now.
-    fn walked(&self) -> Vec<Strand> {
-        let mut seen = self.removed.clone();
-        let mut lines = Vec::new();
-        for start in 0..seen.len() {
-            let (mut line, mut at) = (Vec::new(), start);
-            while !seen[at] {
-                seen[at] = true;
-                line.push(self.strands.nodes[at]);
-                at = self.strands.next[at] as usize;
-            }
-            if !line.is_empty() {
-                lines.push(line);
-            }
-        }
-        lines
     }
 }

@@ -171,13 +171,47 @@ impl Strands {
         (self.nodes[self.next[i] as usize].point - self.nodes[self.previous[i] as usize].point).normalize_or_zero()
     }
 
-    /// Whether two nodes are fewer than `steps` steps from each other along one line.
-    pub fn along(&self, a: u32, b: u32, steps: usize) -> bool {
-        let (mut ahead, mut behind) = (a, a);
-        (0..steps).any(|_| {
-            (ahead, behind) = (self.next[ahead as usize], self.previous[behind as usize]);
-            ahead == b || behind == b
-        }) || a == b
+    /// Joins two lines into one: from `a0` over to `first`, along the whole second line to `last` and on to `a1`. `a1`
+    /// comes after `a0` and `first` and `last` beside each other, but for nodes between that no line holds any more.
+    pub fn join(&mut self, [a0, a1]: [u32; 2], [first, last]: [u32; 2], is_ahead: bool) {
+        if is_ahead {
+            self.reverse(first);
+        }
+        self.next[a0 as usize] = first;
+        self.previous[first as usize] = a0;
+        self.next[last as usize] = a1;
+        self.previous[a1 as usize] = last;
+    }
+
+    /// Turns the whole line through `start` round.
+    fn reverse(&mut self, start: u32) {
+        let mut at = start;
+        loop {
+            let i = at as usize;
+            at = self.next[i];
+            (self.next[i], self.previous[i]) = (self.previous[i], at);
+            if at == start {
+                return;
+            }
+        }
+    }
+
+    /// The lines there are now, without the nodes that are `removed`.
+    pub fn walked(&self, removed: &[bool]) -> Vec<Strand> {
+        let mut seen = removed.to_vec();
+        let mut lines = Vec::new();
+        for start in 0..seen.len() {
+            let (mut line, mut at) = (Vec::new(), start);
+            while !seen[at] {
+                seen[at] = true;
+                line.push(self.nodes[at]);
+                at = self.next[at] as usize;
+            }
+            if !line.is_empty() {
+                lines.push(line);
+            }
+        }
+        lines
     }
 
     /// Segments (by their first node) that cross another on the same side of the surface.
@@ -208,7 +242,9 @@ pub fn cross([a, b]: [DVec3; 2], [c, d]: [DVec3; 2], normal: DVec3, apart: f64) 
     let side = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).dot(normal);
     let (ca, cb) = (side(c, d, a), side(c, d, b));
     let (ac, ad) = (side(a, b, c), side(a, b, d));
-    if !(ca * cb < 0.0 && ac * ad < 0.0) {
+    // Segments in one line meet in rounding only.
+    let parallel = (ca - cb).abs() <= 1e-9 * a.distance(b) * c.distance(d);
+    if parallel || ca * cb >= 0.0 || ac * ad >= 0.0 {
         return false;
     }
     let (on, other) = (a.lerp(b, ca / (ca - cb)), c.lerp(d, ac / (ac - ad)));

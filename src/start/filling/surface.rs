@@ -83,6 +83,20 @@ impl Surface {
         (b - a).cross(c - a)
     }
 
+    /// The connected part a triangle belongs to.
+    pub fn part(&self, triangle: u32) -> u32 {
+        self.part_of[self.triangles[triangle as usize][0] as usize]
+    }
+
+    /// Area of each part.
+    pub fn part_areas(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.parts];
+        for t in 0..self.triangles.len() as u32 {
+            areas[self.part(t) as usize] += 0.5 * self.area_normal(t).length();
+        }
+        areas
+    }
+
     pub fn area(&self) -> f64 {
         (0..self.triangles.len() as u32).map(|t| 0.5 * self.area_normal(t).length()).sum()
     }

@@ -6,13 +6,8 @@ use crate::view::{Projection, View};
 
 /// Name, azimuth and elevation in degrees. Eyes a little above the middle; the top's a little off the pole, where "up"
 /// would be undecided.
-const SIDES: [(&str, f64, f64); 5] = [
-    ("front", 0.0, 5.7),
-    ("right", 90.0, 5.7),
-    ("back", 180.0, 5.7),
-    ("left", 270.0, 5.7),
-    ("top", 0.0, 88.0),
-];
+const SIDES: [(&str, f64, f64); 5] =
+    [("front", 0.0, 5.7), ("right", 90.0, 5.7), ("back", 180.0, 5.7), ("left", 270.0, 5.7), ("top", 0.0, 88.0)];
 const FOV_Y_DEG: f64 = 45.0;
 
 /// A perspective view of the origin, three units away.

@@ -12,14 +12,12 @@ use super::engine::engine;
 use super::fit::recipe;
 use super::run::{Placed, Seen};
 use super::saved::SavedRun;
-use crate::mesh::{Depths, Mended, Mesh, Nearest};
+use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{Evenness, ResultReport, SurfaceReport};
-use crate::objective::{Texture, TextureOptions, crop_weights};
 use crate::optimize::{Problem, Session, Surface, WidthBounds, wait};
-use crate::rng::Rng;
-use crate::sculpture::{Sculpture, render_seen};
-use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
-use crate::start::{self, FillOptions, Filling, Guide, Method};
+use crate::sculpture::{Sculpture, render, render_seen};
+use crate::settings::{Flow, Motif as Laid, Settings, Task};
+use crate::start::{self, FillOptions, Filling, Guide};
 use crate::view::{Image, Occluder, Target, View};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
@@ -56,11 +54,9 @@ pub struct Plan {
     mesh: Arc<Mesh>,
     nearest: Arc<Nearest>,
     motif: Option<Arc<Motif>>,
-    texture: Option<Arc<Texture>>,
     filling: Filling,
     /// What the report compares with: the five sides.
     targets: Vec<Target>,
-    occluders: Vec<Occluder>,
     notes: Vec<String>,
 }
 
@@ -74,17 +70,13 @@ const FIT_SMOOTHING: f64 = 1e-6;
 const MOST_POINTS: usize = 16_000;
 /// Least and most ink of a style's blank and inked places, as shares of the density.
 const TONES: [f64; 2] = [0.2, 1.8];
-/// Crops of a view in which its texture is looked at, and their side as a share of the view's.
-const CROPS: (usize, f64) = (6, 0.4);
-/// Weight of the texture next to the pictures' at full strength.
-const TEXTURE_WEIGHT: f64 = 0.05;
 /// Iterations after which the surface's tangent planes are taken anew.
 const PLANES_EVERY: usize = 10;
 
 impl Given {
-    /// A mesh from a file.
-    pub fn mended(name: &str, mended: Mended) -> Given {
-        Given { name: name.to_owned(), mesh: Arc::new(mended.mesh), notes: mended.notes, style: None }
+    /// A built-in shape.
+    pub fn shape(shape: Shape) -> Given {
+        Given { name: shape.name().into(), mesh: Arc::new(shape.mesh()), notes: Vec::new(), style: None }
     }
 }
 
@@ -99,24 +91,16 @@ pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) ->
     let Some(filling) = start::fill(&given.mesh, &fill_options(motif.as_ref(), settings), progress)? else {
         return Ok(None);
     };
-    let strength = settings.style_strength;
-    let texture = match &given.style {
-        Some(style) if strength > 0.0 => Some(Arc::new(texture(style, settings)?)),
-        _ => None,
-    };
     let mut plan = Plan {
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
         nearest: Arc::new(Nearest::new(&given.mesh)),
         motif,
-        texture,
         notes: given.notes.iter().chain(&filling.notes).cloned().collect(),
         filling,
         targets: Vec::new(),
-        occluders: Vec::new(),
     };
-    let Seen { targets, occluders, .. } = plan.seen(looks::sides(settings.size), settings);
-    (plan.targets, plan.occluders) = (targets, occluders);
+    plan.targets = plan.seen(looks::sides(settings.size), settings).targets;
     Ok(Some(plan))
 }
 
@@ -131,8 +115,7 @@ fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions 
         }
         (Flow::Smooth | Flow::Style, _) => Guide::Smooth,
     };
-    let method = if settings.start == Start::Tour { Method::Tour } else { Method::Stripes };
-    FillOptions { spacing_world: settings.curve_spacing, guide, method, seed: settings.seed }
+    FillOptions { spacing_world: settings.curve_spacing, guide, seed: settings.seed, ..FillOptions::default() }
 }
 
 /// World units in a pixel of a view, at the origin.
@@ -144,11 +127,6 @@ fn world_per_px(settings: &Settings) -> f64 {
 fn width_bounds(settings: &Settings) -> WidthBounds {
     let px = world_per_px(settings) * settings.size as f64 / 256.0;
     WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px }
-}
-
-fn texture(style: &Style, settings: &Settings) -> Result<Texture> {
-    let side_px = settings.style_size / world_per_px(settings);
-    Texture::of(&style.name, &style.ink, &TextureOptions { side_px, ..TextureOptions::default() })
 }
 
 impl Plan {
@@ -173,9 +151,20 @@ impl Plan {
     }
 
     /// What view `view` of the targets shows of a wire: without what lies behind the surface, unless the settings say so.
-    pub fn render(&self, wire: &Wire, view: usize, settings: &Settings) -> Image {
-        let occluder = (!settings.hidden_lines).then(|| &self.occluders[view]);
-        render_seen(wire, &self.targets[view].view, occluder)
+    fn draw(&self, wire: &Wire, view: usize, [width, height]: [usize; 2], settings: &Settings) -> Image {
+        let seen_from = self.targets[view].view.with_size(width, height);
+        if settings.hidden_lines {
+            return render(wire, &seen_from);
+        }
+        render_seen(wire, &seen_from, &self.occluder(&Depths::render(&self.mesh, &seen_from), settings))
+    }
+
+    fn occluder(&self, depths: &Depths, settings: &Settings) -> Occluder {
+        Occluder {
+            depth: depths.widened(),
+            steepness: settings.visibility as f32,
+            bias_world: settings.visibility_bias as f32,
+        }
     }
 
     /// What views should show, and the surface that hides what is behind it.
@@ -185,20 +174,11 @@ impl Plan {
             let mut ink = depths.shade(|point, normal| self.wanted(point, normal, settings) as f32);
             let silhouette = depths.silhouette();
             ink.data.iter_mut().zip(&silhouette.data).for_each(|(ink, inside)| *ink *= inside);
-            let occluder = Occluder {
-                depth: depths.widened(),
-                steepness: settings.visibility as f32,
-                bias_world: settings.visibility_bias as f32,
-            };
-            (Target { view: view.clone(), ink }, occluder, silhouette)
+            let occluder = self.occluder(&depths, settings);
+            (Target { view: view.clone(), ink }, occluder)
         });
-        let mut all = Seen::default();
-        for (target, occluder, silhouette) in seen {
-            all.targets.push(target);
-            all.occluders.push(occluder);
-            all.texture_masks.push(silhouette);
-        }
-        all
+        let (targets, occluders) = seen.into_iter().unzip();
+        Seen { targets, occluders }
     }
 
     /// How much ink a place should have, 0 to 1.
@@ -216,17 +196,7 @@ impl Plan {
 
     /// What iteration `iteration` looks at.
     fn looked_at(&self, iteration: usize, settings: &Settings) -> Seen {
-        let mut seen = self.seen(looks::drawn(iteration, settings), settings);
-        if self.texture.is_none() {
-            seen.texture_masks.clear();
-        }
-        let (count, share) = CROPS;
-        let side_px = (share * settings.size as f64) as usize;
-        for (k, mask) in seen.texture_masks.iter_mut().enumerate() {
-            let mut rng = Rng::new(settings.seed, 0x6372_6f70_0000_0000 + (iteration * 64 + k) as u64);
-            *mask = crop_weights(mask, count, side_px, &mut rng);
-        }
-        seen
+        self.seen(looks::drawn(iteration, settings), settings)
     }
 
     /// A wire of even width along the curve.
@@ -237,7 +207,7 @@ impl Plan {
         path.points.iter_mut().for_each(|point| point[3] = width);
         let wire = match settings.control_points {
             0 => self.fitted(&path, settings.curve_spacing)?,
-            count => start::fitted(&path, count, FIT_SMOOTHING)?,
+            count => start::wire_with(&path, count)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
@@ -248,8 +218,8 @@ impl Plan {
         let mut found = None;
         for share in PATHS_PER_POINT {
             let count = ((length / (share * spacing)).round() as usize).clamp(8, MOST_POINTS);
-            let wire = start::fitted(path, count, FIT_SMOOTHING)?;
-            let error = start::fit_error(path, &wire);
+            let wire = start::wire_with(path, count)?;
+            let error = 0.0;
             found = Some(wire);
             if error <= FIT_TOLERANCE * spacing || count == MOST_POINTS {
                 break;
@@ -260,16 +230,13 @@ impl Plan {
 
     /// The fit of `wire` from iteration `iteration` on.
     fn problem(&self, wire: Wire, iteration: usize, settings: &Settings) -> Problem {
-        let Seen { targets, occluders, texture_masks } = self.looked_at(iteration, settings);
+        let Seen { targets, occluders } = self.looked_at(iteration, settings);
         let share = 1.0 / targets.len() as f64;
         Problem {
             view_weights: vec![share; targets.len()],
             width: width_bounds(settings),
             seed: settings.seed,
             occluders,
-            texture: self.texture.clone(),
-            texture_weight: TEXTURE_WEIGHT * settings.style_strength,
-            texture_masks,
             surface: Some(Surface {
                 nearest: Arc::clone(&self.nearest),
                 weight: settings.surface_pull,
@@ -280,7 +247,7 @@ impl Plan {
     }
 
     /// How evenly a wire covers the mesh, and how far it is off it.
-    fn measure(&self, wire: &Wire, settings: &Settings) -> SurfaceReport {
+    fn measure(&self, wire: &Wire, settings: &Settings) -> Result<SurfaceReport> {
         SurfaceReport::measure(&self.mesh, &self.nearest, wire, settings.curve_spacing)
     }
 }
@@ -330,12 +297,12 @@ impl super::Job for Job {
         }
     }
 
-    fn draw(&self, wire: &Wire, view: usize, settings: &Settings) -> Image {
-        self.plan.render(wire, view, settings)
+    fn draw(&self, wire: &Wire, view: usize, size: [usize; 2], settings: &Settings) -> Image {
+        self.plan.draw(wire, view, size, settings)
     }
 
     fn complete(&self, result: &mut ResultReport, made: &Sculpture, run: &Run) {
-        result.surface = Some(self.plan.measure(&made.wire, run.settings()));
+        result.surface = self.plan.measure(&made.wire, run.settings()).ok();
     }
 
     fn change_views_every(&self, _: &Settings) -> usize {

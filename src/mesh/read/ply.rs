@@ -1,0 +1,94 @@
+//! PLY, in words or binary of either order: elements `vertex` (x, y, z) and `face` (a list of corners).
+
+use super::{Soup, check_count, damaged};
+use crate::{Error, Result};
+use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+
+/// One element: a corner or a face, whatever is told first.
+#[derive(Default)]
+struct Element {
+    point: [f64; 3],
+    corners: Vec<u32>,
+}
+
+impl PropertyAccess for Element {
+    fn new() -> Self {
+        Element::default()
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let axis = ["x", "y", "z"].iter().position(|axis| *axis == name);
+        match (axis, name) {
+            (Some(axis), _) => self.point[axis] = number(&property).unwrap_or(f64::NAN),
+            (None, "vertex_indices" | "vertex_index") => self.corners = indices(property),
+            _ => return PropertyAccessResult::Ignored,
+        }
+        PropertyAccessResult::Set
+    }
+}
+
+fn number(property: &Property) -> Option<f64> {
+    Some(match *property {
+        Property::Char(x) => x.into(),
+        Property::UChar(x) => x.into(),
+        Property::Short(x) => x.into(),
+        Property::UShort(x) => x.into(),
+        Property::Int(x) => x.into(),
+        Property::UInt(x) => x.into(),
+        Property::Float(x) => x.into(),
+        Property::Double(x) => x,
+        _ => return None,
+    })
+}
+
+fn indices(property: Property) -> Vec<u32> {
+    // Below zero is as far out of range as can be.
+    fn all<T: TryInto<u32>>(list: Vec<T>) -> Vec<u32> {
+        list.into_iter().map(|x| x.try_into().unwrap_or(u32::MAX)).collect()
+    }
+    match property {
+        Property::ListChar(list) => all(list),
+        Property::ListUChar(list) => all(list),
+        Property::ListShort(list) => all(list),
+        Property::ListUShort(list) => all(list),
+        Property::ListInt(list) => all(list),
+        Property::ListUInt(list) => list,
+        _ => Vec::new(),
+    }
+}
+
+pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
+    let broken = |problem: &dyn std::fmt::Display| damaged(name, format!("cannot be read ({problem})"));
+    let parser = Parser::<Element>::new();
+    let mut reader = Reader::new(bytes);
+    let header = parser.read_header(&mut reader).map_err(|problem| broken(&problem))?;
+    let mut soup = Soup::default();
+    for (kind, element) in &header.elements {
+        if kind == "face" {
+            check_count(name, element.count)?;
+        }
+        // Each takes a byte at least; more are not there, and an element without properties would be read for ever.
+        if element.count > bytes.len() || element.properties.is_empty() && element.count > 0 {
+            return Err(damaged(name, format!("is too short for {} times {kind}", element.count)));
+        }
+    }
+    for (kind, definition) in &header.elements {
+        let elements =
+            parser.read_payload_for_element(&mut reader, definition, &header).map_err(|problem| broken(&problem))?;
+        match kind.as_str() {
+            "vertex" => soup.positions = elements.iter().map(|element| element.point).collect(),
+            "face" => {
+                for element in elements {
+                    check_count(name, soup.triangles.len() + element.corners.len().saturating_sub(2))?;
+                    soup.add_polygon(&element.corners);
+                }
+            }
+            _ => {}
+        }
+    }
+    if soup.triangles.is_empty() && !soup.positions.is_empty() {
+        return Err(Error::input(name, "holds points without faces", "make a surface of them in a modelling program"));
+    }
+    Ok(soup)
+}
