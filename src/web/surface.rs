@@ -160,8 +160,7 @@ pub fn pattern(word: &str, size: usize) -> Result<Ink, JsError> {
 }
 
 fn named(word: &str) -> Result<Pattern> {
-    let found = Pattern::ALL.into_iter().find(|pattern| pattern.name() == word);
-    found.ok_or_else(|| unknown("style", word, &Pattern::ALL.map(Pattern::name)))
+    Pattern::named(word).ok_or_else(|| unknown("style", word, &Pattern::ALL.map(Pattern::name)))
 }
 
 fn unknown(what: &str, word: &str, known: &[&str]) -> Error {

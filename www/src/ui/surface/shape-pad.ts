@@ -2,6 +2,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { SHAPES, solidKey, solidName } from "../../state/surface/cover";
 import type { Studio, StudioState } from "../../state/studio";
+import { asSentence } from "../../state/words";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
@@ -156,7 +157,7 @@ export class ShapePad extends Part {
     if (!doc.cover) return "Choose one, or drop a mesh: OBJ, STL, PLY, GLB or glTF.";
     if (!surface) return nothing;
     const { triangles, notes } = surface;
-    const words = [`${count(triangles)} triangles.`, ...notes].join(" ");
+    const words = [`${count(triangles)} triangles.`, ...notes.map(asSentence)].join(" ");
     return html`<span title=${words}>${words}</span>`;
   }
 
