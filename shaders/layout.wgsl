@@ -36,6 +36,7 @@ struct Step {
     /// This iteration's share in the running means of gradients.
     gradient_share: f32,
     surface: f32,
+    texture: f32,
 }
 
 struct View {
@@ -83,6 +84,9 @@ struct Scene {
     /// Where the pull to the surface lies among the partial sums, and how many planes there are: one a sample, or none.
     surface_partial: u32,
     planes: u32,
+    /// Where the texture's losses lie among the partial sums, and how many levels of it each view has.
+    texture_partial: u32,
+    texture_levels: u32,
     /// Regular polygons: first normal, sides, circumscribed over inscribed radius, tangent of half a side's angle.
     rings: array<vec4f, 35>,
     view: array<View, 64>,
@@ -111,6 +115,30 @@ struct Level {
     width: u32,
     height: u32,
     first_partial: u32,
+}
+
+/// One level of one view's texture: where in `texture` what of it begins. Without a size there is none.
+struct TextureLevel {
+    width: u32,
+    height: u32,
+    /// How many times the view is halved before it.
+    halvings: u32,
+    /// Its share in the loss.
+    share: f32,
+    picture: u32,
+    /// Features, at half its size, and the gradient to them.
+    maps: u32,
+    d_maps: u32,
+    /// Derivatives, then the gradient to them.
+    jets: u32,
+    d_picture: u32,
+    numbers: u32,
+    /// Where in `texture_given` its weights and statistics begin.
+    weights: u32,
+    wanted: u32,
+    /// One over the weights' sum, 0 where nothing counts, and over the sum of their products at each shift.
+    inverse_weight: f32,
+    inverse_pairs: array<f32, 5>,
 }
 
 /// How a node's two pieces meet. Index 0 is the side with the axis turned from x to y, index 1 the other.
@@ -164,38 +192,43 @@ struct Shape {
 @group(0) @binding(13) var<storage, read> occluder_depth: array<f32>;
 /// Unit normal and offset of the plane that each sample is pulled to.
 @group(0) @binding(14) var<storage, read> planes: array<vec4f>;
+@group(0) @binding(15) var<storage, read> texture_levels: array<TextureLevel>;
+/// Filters, wanted statistics and weights of the texture; see texture.wgsl.
+@group(0) @binding(16) var<storage, read> texture_given: array<f32>;
 
 /// Control points, then their first moments, then their second.
-@group(0) @binding(15) var<storage, read_write> state: array<vec4f>;
+@group(0) @binding(17) var<storage, read_write> state: array<vec4f>;
 /// The lowest image loss so far and 1 where this iteration has it; then the points that have it.
-@group(0) @binding(16) var<storage, read_write> best: array<vec4f>;
+@group(0) @binding(18) var<storage, read_write> best: array<vec4f>;
 /// Running means of the length of the image gradient to each point's position.
-@group(0) @binding(17) var<storage, read_write> gradient_norms: array<f32>;
-@group(0) @binding(18) var<storage, read_write> samples: array<vec4f>;
+@group(0) @binding(19) var<storage, read_write> gradient_norms: array<f32>;
+@group(0) @binding(20) var<storage, read_write> samples: array<vec4f>;
 /// x, y and radius in pixels, and 1 where it is drawn.
-@group(0) @binding(19) var<storage, read_write> vertices: array<vec4f>;
-@group(0) @binding(20) var<storage, read_write> joints: array<Joint>;
-@group(0) @binding(21) var<storage, read_write> shapes: array<Shape>;
+@group(0) @binding(21) var<storage, read_write> vertices: array<vec4f>;
+@group(0) @binding(22) var<storage, read_write> joints: array<Joint>;
+@group(0) @binding(23) var<storage, read_write> shapes: array<Shape>;
 /// See cells.wgsl.
-@group(0) @binding(22) var<storage, read_write> cells: array<atomic<u32>>;
+@group(0) @binding(24) var<storage, read_write> cells: array<atomic<u32>>;
 /// The same to those that come after and only read: atomic reads would pass caches by.
-@group(0) @binding(22) var<storage, read_write> filled: array<u32>;
+@group(0) @binding(24) var<storage, read_write> filled: array<u32>;
 /// Area sums of all pixels, then what is visible of the left border, row by row.
-@group(0) @binding(23) var<storage, read_write> sums: array<atomic<i32>>;
+@group(0) @binding(25) var<storage, read_write> sums: array<atomic<i32>>;
 /// The same once they are complete.
-@group(0) @binding(23) var<storage, read_write> summed: array<i32>;
-@group(0) @binding(24) var<storage, read_write> coverage: array<f32>;
+@group(0) @binding(25) var<storage, read_write> summed: array<i32>;
+@group(0) @binding(26) var<storage, read_write> coverage: array<f32>;
 /// Level 0 of all views, then the coarser ones: first the difference, then the gradient.
-@group(0) @binding(25) var<storage, read_write> pyramid: array<f32>;
-@group(0) @binding(26) var<storage, read_write> partials: array<f32>;
+@group(0) @binding(27) var<storage, read_write> pyramid: array<f32>;
+@group(0) @binding(28) var<storage, read_write> partials: array<f32>;
 /// Three entries a node: adjoint of its piece's start and end disc by the straight edges, and of itself by its polygon.
-@group(0) @binding(27) var<storage, read_write> d_pieces: array<vec4f>;
-@group(0) @binding(28) var<storage, read_write> d_vertices: array<vec4f>;
-@group(0) @binding(29) var<storage, read_write> d_samples: array<vec4f>;
-@group(0) @binding(30) var<storage, read_write> d_points_image: array<vec4f>;
-@group(0) @binding(31) var<storage, read_write> d_points: array<vec4f>;
+@group(0) @binding(29) var<storage, read_write> d_pieces: array<vec4f>;
+@group(0) @binding(30) var<storage, read_write> d_vertices: array<vec4f>;
+@group(0) @binding(31) var<storage, read_write> d_samples: array<vec4f>;
+@group(0) @binding(32) var<storage, read_write> d_points_image: array<vec4f>;
+@group(0) @binding(33) var<storage, read_write> d_points: array<vec4f>;
 /// A row an iteration: total, views, jerk, length, surface, texture, and how many cell entries were wanted.
-@group(0) @binding(32) var<storage, read_write> terms: array<f32>;
+@group(0) @binding(34) var<storage, read_write> terms: array<f32>;
 /// Four entries a node: the visible interval of each straight edge, from and to 0 if there is none, from 1 to 0 if there
 /// are several.
-@group(0) @binding(33) var<storage, read_write> visible: array<vec2f>;
+@group(0) @binding(35) var<storage, read_write> visible: array<vec2f>;
+/// What the texture's stages keep, level by level.
+@group(0) @binding(36) var<storage, read_write> texture: array<f32>;

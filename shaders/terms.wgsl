@@ -33,13 +33,17 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
         if scene.planes > 0u {
             surface = partials[scene.surface_partial];
         }
-        terms[row] = total + jerk + path + surface;
+        var texture_loss = 0.0;
+        for (var i = 0u; i < scene.views * scene.texture_levels; i++) {
+            texture_loss += partials[scene.texture_partial + i];
+        }
+        terms[row] = total + jerk + path + surface + texture_loss;
         terms[row + scene.views + 1u] = jerk;
         terms[row + scene.views + 2u] = path;
         terms[row + scene.views + 3u] = surface;
-        terms[row + scene.views + 4u] = 0.0;
+        terms[row + scene.views + 4u] = texture_loss;
         terms[row + scene.views + 5u] = f32(atomicLoad(&cells[0]));
-        let loss = total * now.loss_scale;
+        let loss = (total + texture_loss) * now.loss_scale;
         let is_best = loss < best[0].x;
         best[0] = vec4f(select(best[0].x, loss, is_best), f32(is_best), 0.0, 0.0);
     }

@@ -4,7 +4,7 @@
 mod gpu_common;
 mod optimize_common;
 
-use gpu_common::{device, distance, points, scene, step, views};
+use gpu_common::{device, distance, enclosed, points, scene, step, views};
 use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
 use wire4d::Error;
 use wire4d::gpu::{Absence, Device, FaultKind, GpuEngine, Kind, SELF_CHECK_BARS, parities, self_check};
@@ -13,15 +13,19 @@ use wire4d::optimize::{
     Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, SceneView, Session, State, Step,
     Tally, Work, term_count, wait,
 };
-use wire4d::view::View;
+use wire4d::view::{Image, Occluder, View};
 use wire4d::wire::Wire;
 
 const LOSS: f64 = 1e-4;
 const GRADIENT: f64 = 1e-3;
 
 fn evaluate(engine: &mut dyn Engine, wire: &Wire, views: &[View], step: &Step) -> (Vec<f32>, Vec<[f32; 4]>) {
-    let (mut terms, mut d_points) = (vec![0.0; term_count(views.len())], Vec::new());
     wait(engine.load(scene(wire, views, 2, Pyramid::AveragePool, 3)).done());
+    evaluate_loaded(engine, wire, views.len(), step)
+}
+
+fn evaluate_loaded(engine: &mut dyn Engine, wire: &Wire, views: usize, step: &Step) -> (Vec<f32>, Vec<[f32; 4]>) {
+    let (mut terms, mut d_points) = (vec![0.0; term_count(views)], Vec::new());
     wait(engine.evaluate(&points(wire), step, &mut terms, &mut d_points).done());
     (terms, d_points)
 }
@@ -63,6 +67,58 @@ fn an_iteration_agrees_on_random_and_hostile_wires() {
         let (_, d_points) = evaluate(&mut engine, &wire, &views(64), &Step { length: 0.03, ..step() });
         let off = distance(device_d_points.as_flattened(), d_points.as_flattened());
         assert!(off > GRADIENT, "{name}: another length weight passes ({off:.1e})");
+    }
+}
+
+#[test]
+fn wires_round_solids_agree_before_and_after_views_and_planes_change() {
+    let Some(device) = device() else { return };
+    let wire = random_wire(60, 2);
+    let scenes = [(3, 2), (4, 5)]
+        .map(|(ink, planes)| enclosed(scene(&wire, &views(64), 4, Pyramid::AveragePool, ink), planes))
+        .map(|scene| (scene.views.clone(), scene));
+    let [(_, first), (mut views, second)] = scenes;
+    // Other cameras, and what was open is shut and the other way round.
+    views.iter_mut().zip(&first.views).for_each(|(view, other)| {
+        view.occluder = other
+            .occluder
+            .is_none()
+            .then(|| Occluder::new(Image { data: vec![2.9; view.target.data.len()], ..view.target.clone() }));
+        view.camera = other.camera;
+        view.weight *= 0.8;
+    });
+    views[0].camera = View::orthographic("front", 0.7, -0.3, 2.2, 64).camera();
+    let engines: [&mut dyn Engine; 2] = [&mut CpuEngine::new(), &mut GpuEngine::new(&device, "")];
+    let results = engines.map(|engine| {
+        wait(engine.load(first.clone()).done());
+        let mut found = vec![evaluate_loaded(engine, &wire, 3, &step())];
+        wait(engine.set_views(views.clone()).done());
+        found.push(evaluate_loaded(engine, &wire, 3, &step()));
+        engine.set_planes(second.planes.clone());
+        found.push(evaluate_loaded(engine, &wire, 3, &step()));
+        wait(engine.load(Scene { views: views.clone(), ..second.clone() }).done());
+        found.push(evaluate_loaded(engine, &wire, 3, &step()));
+        wait(engine.load(scene(&wire, &gpu_common::views(64), 4, Pyramid::AveragePool, 3)).done());
+        found.push(evaluate_loaded(engine, &wire, 3, &step()));
+        assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
+        found
+    });
+    let [cpu, gpu] = &results;
+    let apart = |a: &(Vec<f32>, Vec<[f32; 4]>), b: &(Vec<f32>, Vec<[f32; 4]>)| {
+        (distance(&a.0, &b.0), distance(a.1.as_flattened(), b.1.as_flattened()))
+    };
+    for (gpu, cpu) in gpu.iter().zip(cpu) {
+        let (loss, gradient) = apart(gpu, cpu);
+        eprintln!("round solids: loss {loss:.1e}, gradient {gradient:.1e}");
+        assert!(loss <= LOSS && gradient <= GRADIENT, "loss {loss:.1e}, gradient {gradient:.1e}");
+    }
+    for results in &results {
+        assert!(results[2] == results[3], "what is exchanged is what is loaded");
+    }
+    // Siblings: views, planes and occluders are seen.
+    for (i, j) in [(0, 1), (1, 2), (0, 4)] {
+        let (loss, gradient) = apart(&gpu[i], &cpu[j]);
+        assert!(loss > LOSS && gradient > GRADIENT, "{i} passes for {j}: loss {loss:.1e}, gradient {gradient:.1e}");
     }
 }
 

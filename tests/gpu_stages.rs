@@ -4,12 +4,13 @@
 mod gpu_common;
 mod optimize_common;
 
-use gpu_common::{device, distance, points, scene, step, views};
+use gpu_common::{device, distance, enclosed, points, scene, step, views};
 use optimize_common::random_wire;
 use wire4d::gpu::{Pipeline, Slot};
-use wire4d::objective::{MultiscaleMse, Pyramid, length_and_gradient};
-use wire4d::optimize::{Adam, AdamOptions, Scene, SecondMoment, Step};
+use wire4d::objective::{MultiscaleMse, Pyramid, length_and_gradient, surface_and_gradient};
+use wire4d::optimize::{Adam, AdamOptions, Scene, SceneView, SecondMoment, Step, term_count};
 use wire4d::rng::Rng;
+use wire4d::view::drop_hidden;
 use wire4d::wire::{Form, Wire};
 
 const LOSS: f64 = 1e-4;
@@ -40,6 +41,34 @@ fn wires() -> Vec<Wire> {
     [Ok(open), Ok(closed), bag].into_iter().map(Result::unwrap).collect()
 }
 
+/// How much of each sample a view shows.
+fn visibilities(view: &SceneView, samples: &[[f32; 4]]) -> Vec<f32> {
+    let visibility = |sample: &[f32; 4]| {
+        let [x, y, _] = view.camera.project(sample);
+        view.occluder.as_ref().map_or(1.0, |occluder| occluder.visibility([x, y], view.camera.depth(sample)))
+    };
+    samples.iter().map(visibility).collect()
+}
+
+/// As the device has them: place, radius, and 1 where drawn.
+fn vertices(view: &SceneView, samples: &[[f32; 4]], scene: &Scene, seen: &[f32]) -> Vec<[f32; 4]> {
+    let mut vertices: Vec<[f32; 3]> = samples.iter().map(|sample| view.camera.project(sample)).collect();
+    let mut drawn = vertices.clone();
+    drop_hidden(seen, &scene.strokes, &mut drawn);
+    vertices.iter_mut().zip(seen).for_each(|(vertex, seen)| vertex[2] = vertex[2].max(0.0) * seen);
+    let pairs = vertices.iter().zip(drawn);
+    pairs.map(|(&[x, y, radius], drawn)| [x, y, radius, f32::from(drawn[0].is_finite())]).collect()
+}
+
+fn sample_vjp(view: &SceneView, sample: &[f32; 4], seen: f32, d_vertex: [f32; 3]) -> [f32; 4] {
+    let [x, y, z, width] = *sample;
+    let d_thinned = view.camera.project_vjp(&[x, y, z, seen * width], &d_vertex);
+    match &view.occluder {
+        Some(occluder) => occluder.thinned_vjp(&view.camera, sample, seen, d_thinned),
+        None => d_thinned,
+    }
+}
+
 fn load(pipeline: &mut Pipeline, scene: &Scene, points: &[[f32; 4]]) {
     pipeline.load(scene).unwrap();
     let moments = vec![[0.0f32; 4]; 2 * points.len()];
@@ -52,7 +81,7 @@ fn curve_stages_agree() {
     let mut pipeline = Pipeline::new(&device, 2);
     let step = step();
     for wire in wires() {
-        let scene = scene(&wire, &views(32), 3, Pyramid::AveragePool, 1);
+        let scene = enclosed(scene(&wire, &views(32), 3, Pyramid::AveragePool, 1), 2);
         let points = points(&wire);
         load(&mut pipeline, &scene, &points);
         pipeline.run("sample", "project", &[step], 0).unwrap();
@@ -61,20 +90,21 @@ fn curve_stages_agree() {
         let count = samples.len();
         agree("samples", &pipeline.read(Slot::Samples, count).unwrap(), &samples, ROUNDING);
 
-        let cameras = || scene.views.iter().map(|view| &view.camera);
-        let vertices: Vec<[f32; 4]> = cameras()
-            .flat_map(|camera| samples.iter().map(|sample| camera.project(sample)).collect::<Vec<_>>())
-            .map(|[x, y, r]| [x, y, r.max(0.0), 1.0])
-            .collect();
-        agree("vertices", &pipeline.read(Slot::Vertices, vertices.len()).unwrap(), &vertices, ROUNDING);
+        let seen: Vec<Vec<f32>> = scene.views.iter().map(|view| visibilities(view, &samples)).collect();
+        let pairs = || scene.views.iter().zip(&seen);
+        let vertices: Vec<[f32; 4]> = pairs().flat_map(|(view, seen)| vertices(view, &samples, &scene, seen)).collect();
+        let found: Vec<[f32; 4]> = pipeline.read(Slot::Vertices, vertices.len()).unwrap();
+        agree("vertices", &found, &vertices, ROUNDING);
+        assert!(vertices.iter().any(|vertex| vertex[3] == 0.0), "nothing is hidden: this tests little");
 
         let d_vertices = random(vertices.len(), 8);
         pipeline.write(Slot::DVertices, &d_vertices).unwrap();
         pipeline.run("project_vjp", "jerk_gradient", &[step], 0).unwrap();
         let mut d_samples = vec![[0.0f32; 4]; count];
-        for (camera, d_vertices) in cameras().zip(d_vertices.chunks_exact(count)) {
-            for ((sum, sample), d) in d_samples.iter_mut().zip(&samples).zip(d_vertices) {
-                let d_sample = camera.project_vjp(sample, &[d[0], d[1], d[2]]);
+        for ((view, seen), d_vertices) in pairs().zip(d_vertices.chunks_exact(count)) {
+            let each = d_samples.iter_mut().zip(&samples).zip(seen).zip(d_vertices);
+            for (((sum, sample), &seen), d) in each {
+                let d_sample = sample_vjp(view, sample, seen, [d[0], d[1], d[2]]);
                 (0..4).for_each(|c| sum[c] += d_sample[c]);
             }
         }
@@ -85,13 +115,15 @@ fn curve_stages_agree() {
         agree("d_points_image", &pipeline.read(Slot::DPointsImage, points.len()).unwrap(), &d_points, GRADIENT);
         let mut d_length = vec![[0.0; 4]; count];
         let length = length_and_gradient(&samples, &scene.strokes, step.length, &mut d_length);
+        let surface = surface_and_gradient(&samples, &scene.planes, step.surface, &mut d_length);
         scene.sampling.apply_transpose(&d_length, &mut d_points);
         let jerk = scene.jerk.energy_and_gradient(&points, step.jerk_position, step.jerk_width, &mut d_points);
         agree("d_points", &pipeline.read(Slot::DPoints, points.len()).unwrap(), &d_points, GRADIENT);
 
-        pipeline.run("add_terms", "add_terms", &[step], 0).unwrap();
-        let terms: Vec<f32> = pipeline.read(Slot::Terms, 7).unwrap();
-        agree("regularisers", &[[terms[4], terms[5]]], &[[jerk, length]], LOSS);
+        pipeline.run("measure_surface", "add_terms", &[step], 0).unwrap();
+        let terms: Vec<f32> = pipeline.read(Slot::Terms, term_count(3)).unwrap();
+        agree("regularisers", &[[terms[4], terms[5], terms[6]]], &[[jerk, length, surface]], LOSS);
+        assert!(surface > 0.0 && terms[7] == 0.0, "{terms:?}");
     }
 }
 
@@ -99,7 +131,7 @@ fn curve_stages_agree() {
 fn losses_and_their_gradients_agree() {
     let Some(device) = device() else { return };
     let mut pipeline = Pipeline::new(&device, 1);
-    let step = Step { length: 0.0, jerk_position: 0.0, jerk_width: 0.0, ..step() };
+    let step = Step { length: 0.0, surface: 0.0, jerk_position: 0.0, jerk_width: 0.0, ..step() };
     let wire = random_wire(12, 2);
     for (pyramid, size) in [Pyramid::AveragePool, Pyramid::Gaussian].into_iter().flat_map(|p| [(p, 64), (p, 41)]) {
         let scene = scene(&wire, &views(size), 2, pyramid, 4);
@@ -117,7 +149,7 @@ fn losses_and_their_gradients_agree() {
             losses.push([loss]);
             d_coverage.extend(gradient);
         }
-        let terms: Vec<f32> = pipeline.read(Slot::Terms, 7).unwrap();
+        let terms: Vec<f32> = pipeline.read(Slot::Terms, term_count(3)).unwrap();
         let found: Vec<[f32; 1]> = terms[1..4].iter().map(|&term| [term]).collect();
         agree("losses", &found, &losses, LOSS);
         let gradient: Vec<[f32; 1]> = pipeline.read(Slot::Pyramid, d_coverage.len()).unwrap();

@@ -7,7 +7,7 @@ use common::{perturbed, random_wire, targets_of};
 use wire4d::objective::Pyramid;
 use wire4d::optimize::{AdamOptions, CpuEngine, Engine, RasterKind, Scene, SceneView, Step, term_count};
 use wire4d::rng::Rng;
-use wire4d::view::{Projection, Target};
+use wire4d::view::{Image, Occluder, Projection, Target};
 use wire4d::wire::{Form, Wire};
 
 fn step() -> Step {
@@ -18,6 +18,7 @@ fn step() -> Step {
         jerk_position: 1e-3,
         jerk_width: 2e-3,
         length: 1e-2,
+        surface: 0.2,
         width_bounds: [0.0, 1.0],
         ..Step::default()
     }
@@ -87,6 +88,39 @@ fn the_gradient_of_an_iteration_agrees_with_differences_of_its_loss() {
         assert!(disagreement(scene(), &wire, |g| g[5] = [0.0; 4]) > 0.1);
         assert!(disagreement(scene(), &wire, |g| g.iter_mut().for_each(|g| g[2] *= 0.8)) > 0.1);
         assert!(disagreement(scene(), &wire, |g| g.iter_mut().for_each(|g| g[3] *= 0.5)) > 0.1);
+    }
+}
+
+#[test]
+fn the_gradient_knows_what_is_hidden_and_where_the_surface_is() {
+    let truth = random_wire(12, 4);
+    let (targets, wire) = (targets_of(&truth, 96), perturbed(&truth, 0.15, 8));
+    let mut scene = scene(&wire, &targets, RasterKind::Exact, Pyramid::AveragePool);
+    let mut rng = Rng::new(7, 0);
+    for view in &mut scene.views {
+        // Walls through the middle: no pixel's depth differs from its neighbours', so the loss has no steps.
+        let depth = Image { data: vec![2.95; view.target.data.len()], ..view.target.clone() };
+        view.occluder = Some(Occluder { steepness: 10.0, ..Occluder::new(depth) });
+    }
+    let count = scene.sampling.rows().len();
+    scene.planes = (0..count).map(|_| [0.6, 0.0, 0.8, rng.range(-0.5, 0.5) as f32]).collect();
+    let off = disagreement(scene.clone(), &wire, |_| {});
+    assert!(off < 0.05, "{off}");
+    assert!(disagreement(scene.clone(), &wire, |g| g.iter_mut().for_each(|g| g[2] *= 0.8)) > 0.1);
+    let without = |scene: Scene| {
+        let (mut engine, mut gradient) = (CpuEngine::new(), Vec::new());
+        let mut terms = vec![0.0; term_count(3)];
+        engine.load(scene);
+        let points: Vec<[f32; 4]> = wire.control_points().iter().map(|p| p.map(|c| c as f32)).collect();
+        engine.evaluate(&points, &step(), &mut terms, &mut gradient);
+        gradient
+    };
+    // Siblings: gradients that forget one or the other.
+    let mut open = scene.clone();
+    open.views.iter_mut().for_each(|view| view.occluder = None);
+    for other in [open, Scene { planes: Vec::new(), ..scene.clone() }] {
+        let other = without(other);
+        assert!(disagreement(scene.clone(), &wire, |g| g.copy_from_slice(&other)) > 0.1);
     }
 }
 

@@ -39,7 +39,7 @@ fn views(turn: u64) -> (Vec<Target>, Vec<Occluder>) {
 
 /// A thin spiral round the ball, a little off it.
 fn problem(weight: f64) -> Problem {
-    let count = 90;
+    let count = 140;
     let mut rng = Rng::new(8, 0);
     let point = |i: usize| {
         let t = (i as f64 + 0.5) / count as f64;
@@ -101,7 +101,7 @@ fn fits_round_a_solid_get_better_and_stay_on_it() {
         session.step(usize::MAX);
         session
     };
-    let (kept, loose) = (fitted(problem(3.0)), fitted(problem(0.0)));
+    let (kept, loose) = (fitted(problem(10.0)), fitted(problem(0.0)));
     // Both stages, losses of which do not compare.
     for range in [[0..3, 12..15], [15..18, 42..45]] {
         let [before, after] = range.map(|range| mean_total(&kept, range));
@@ -127,7 +127,7 @@ fn what_is_behind_the_solid_is_not_drawn() {
     };
     let (hidden, seen) = (ink(problem(1.0)), ink(Problem { occluders: Vec::new(), ..problem(1.0) }));
     // Both sides show as many lines, some of which cross.
-    assert!((0.5..0.75).contains(&(hidden / seen)), "{hidden} of {seen}");
+    assert!((0.4..0.75).contains(&(hidden / seen)), "{hidden} of {seen}");
 }
 
 #[test]
@@ -191,7 +191,7 @@ fn occluders_that_do_not_fit_are_refused() {
     assert!(matches!(error, Error::Picture { .. }), "{error}");
     let error = refused(&|problem| drop(problem.occluders.pop()));
     assert!(matches!(error, Error::Pictures { .. }), "{error}");
-    for (steepness, bias) in [(f32::NAN, 0.05), (-1.0, 0.05), (60.0, f32::INFINITY)] {
+    for (steepness, bias) in [(f32::NAN, 0.05), (-1.0, 0.05), (0.0, 0.05), (60.0, f32::INFINITY)] {
         let error = refused(&|p| (p.occluders[0].steepness, p.occluders[0].bias_world) = (steepness, bias));
         assert!(matches!(error, Error::Setting { .. }), "{error}");
     }

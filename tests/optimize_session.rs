@@ -10,7 +10,7 @@ use proptest::test_runner::RngSeed;
 use wire4d::Error;
 use wire4d::optimize::{
     Bending, Checkpoint, CpuEngine, Engine, Event, EventKind, Moment, NewPoint, Picture, Place, Problem, RasterKind,
-    Recipe, Refine, Reinit, Scene, Session, Stage, State, Step, Tally, TopologyEdit, TopologyEvent, Work,
+    Recipe, Refine, Reinit, Scene, SceneView, Session, Stage, State, Step, Tally, TopologyEdit, TopologyEvent, Work,
 };
 use wire4d::view::Image;
 
@@ -161,6 +161,12 @@ impl Engine for Wrapped {
     }
     fn set_target(&mut self, view: usize, ink: &[f32]) {
         self.inner.set_target(view, ink);
+    }
+    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+        self.inner.set_views(views)
+    }
+    fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
+        self.inner.set_planes(planes);
     }
     fn evaluate<'a>(
         &'a mut self,

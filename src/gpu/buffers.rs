@@ -56,6 +56,9 @@ impl Buffers {
                 Slot::Circles => size_of_val(&*upload.circles),
                 Slot::TargetInk | Slot::OccluderDepth | Slot::Coverage => 4 * pixels,
                 Slot::Planes => size_of_val(&*upload.planes),
+                Slot::TextureLevels => size_of_val(&*upload.texture.levels),
+                Slot::TextureGiven => size_of_val(&*upload.texture.given),
+                Slot::Texture => 4 * upload.texture.room,
                 Slot::State => 3 * points * vec4,
                 Slot::Best => (1 + points) * vec4,
                 Slot::GradientNorms => 4 * points,
@@ -122,6 +125,8 @@ impl Buffers {
         self.write(device, Slot::Scene, 0, std::slice::from_ref(&upload.scene));
         self.write(device, Slot::TargetInk, 0, &upload.target_ink);
         self.write(device, Slot::OccluderDepth, 0, &upload.occluder_depth);
+        self.write(device, Slot::TextureLevels, 0, &upload.texture.levels);
+        self.write(device, Slot::TextureGiven, 0, &upload.texture.given);
     }
 
     pub fn get(&self, slot: Slot) -> &wgpu::Buffer {

@@ -30,6 +30,8 @@ pub struct Step {
     pub loss_scale: f32,
     pub gradient_share: f32,
     pub surface: f32,
+    pub texture: f32,
+    pub padding: [u32; 3],
 }
 
 /// A view's camera, and where its share of each buffer begins.
@@ -73,7 +75,8 @@ pub struct Scene {
     pub gaussian: u32,
     pub surface_partial: u32,
     pub planes: u32,
-    pub padding: [u32; 2],
+    pub texture_partial: u32,
+    pub texture_levels: u32,
     pub rings: [[f32; 4]; RINGS],
     pub view: [View; MOST_VIEWS],
 }
@@ -111,6 +114,26 @@ pub struct Level {
     pub first_partial: u32,
 }
 
+/// One level of one view's texture.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
+pub struct TextureLevel {
+    pub width: u32,
+    pub height: u32,
+    pub halvings: u32,
+    pub share: f32,
+    pub picture: u32,
+    pub maps: u32,
+    pub d_maps: u32,
+    pub jets: u32,
+    pub d_picture: u32,
+    pub numbers: u32,
+    pub weights: u32,
+    pub wanted: u32,
+    pub inverse_weight: f32,
+    pub inverse_pairs: [f32; 5],
+}
+
 /// Bytes of a `Joint` as shaders lay it out. The processor never reads one.
 pub const JOINT_BYTES: u64 = 56;
 /// Bytes of a `Shape`, likewise.
@@ -132,14 +155,21 @@ macro_rules! layouts {
 layouts! {
     Step {
         rates, width_bounds, level_ratio, jerk_position, jerk_width, length, beta1, beta2, correction1, correction2,
-        epsilon, per_point, row, loss_scale, gradient_share, surface,
+        epsilon, per_point, row, loss_scale, gradient_share, surface, texture,
     }
     View {
         right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,
         rows, levels, weight, first_partial, partials, fine_levels, steepness, bias_world,
     }
-    Scene { points, samples, views, spans, pixels, cells, entries, gaussian, surface_partial, planes, rings, view }
+    Scene {
+        points, samples, views, spans, pixels, cells, entries, gaussian, surface_partial, planes, texture_partial,
+        texture_levels, rings, view,
+    }
     Row { first, weights }
     Term { row, weight }
     Level { offset, width, height, first_partial }
+    TextureLevel {
+        width, height, halvings, share, picture, maps, d_maps, jets, d_picture, numbers, weights, wanted, inverse_weight,
+        inverse_pairs,
+    }
 }

@@ -167,8 +167,8 @@ impl Pipeline {
     pub(super) fn set_planes(&mut self, planes: &[[f32; 4]]) -> Answer<()> {
         let fault = self.no_scene();
         let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
-        upload.planes.copy_from_slice(planes);
-        buffers.write(&self.device, Slot::Planes, 0, planes);
+        upload.planes.iter_mut().zip(planes).for_each(|(plane, &other)| *plane = other);
+        buffers.write(&self.device, Slot::Planes, 0, &upload.planes);
         Ok(())
     }
 
@@ -246,14 +246,14 @@ impl Pipeline {
 }
 
 /// Bytes of the largest uniform of several.
-const ONE_UNIFORM: u64 = 80;
+const ONE_UNIFORM: u64 = 96;
 const _: () = assert!(size_of::<super::layout::Step>() == ONE_UNIFORM as usize);
 
 impl Loaded {
     /// Adds stage `index` of iteration `i`.
     fn dispatch(&self, pass: &mut wgpu::ComputePass, index: usize, pipeline: &wgpu::ComputePipeline, i: usize) {
         let stage = &STAGES[index];
-        let scene = &self.upload.scene;
+        let Upload { scene, texture, .. } = &self.upload;
         let [points, samples, views] = [scene.points, scene.samples, scene.views].map(|count| count as usize);
         let mut dispatch = |groups: usize, views: usize, level: usize| {
             if groups == 0 || views == 0 {
@@ -279,6 +279,13 @@ impl Loaded {
             Over::Rows => dispatch(self.most_rows(), views, 0),
             Over::Once => dispatch(1, 1, 0),
             Over::Planes => dispatch(usize::from(scene.planes > 0), 1, 0),
+            Over::TexturePixels => dispatch(texture.most_pixels().div_ceil(GROUP), texture.levels.len(), 0),
+            Over::TextureFeatures => dispatch((texture.most_pixels() / 4).div_ceil(GROUP), texture.levels.len(), 0),
+            Over::TextureGroups(groups) => dispatch(groups, texture.levels.len(), 0),
+            Over::TextureViews => {
+                let pixels = if texture.a_view > 0 { self.most_values(0) } else { 0 };
+                dispatch(pixels.div_ceil(GROUP), views, 0);
+            }
             Over::Levels { finest_first } => {
                 for pass in 0..self.upload.depth {
                     let level = if finest_first { pass } else { self.upload.depth - 1 - pass };

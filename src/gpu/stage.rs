@@ -1,5 +1,7 @@
 //! The stages of an iteration in order: their shaders, which buffers they use, and over what they spread.
 
+use crate::objective::packed_texture::{BUNDLES, FEATURES};
+
 macro_rules! slots {
     ($($name:ident,)*) => {
         /// A buffer, by its binding in every shader; see `shaders/layout.wgsl` for what is in it.
@@ -30,6 +32,8 @@ slots! {
     TargetInk,
     OccluderDepth,
     Planes,
+    TextureLevels,
+    TextureGiven,
     State,
     Best,
     GradientNorms,
@@ -49,6 +53,7 @@ slots! {
     DPoints,
     Terms,
     Visible,
+    Texture,
 }
 
 /// What a buffer is to a shader.
@@ -95,6 +100,14 @@ pub(super) enum Over {
     Once,
     /// A single workgroup where there are planes, else none.
     Planes,
+    /// Threads over a texture level's pixels, and levels.
+    TexturePixels,
+    /// Threads over its features' pixels, a quarter as many, and levels.
+    TextureFeatures,
+    /// So many workgroups, and levels.
+    TextureGroups(usize),
+    /// Threads over the pixels of views that have a texture, and views.
+    TextureViews,
 }
 
 /// Nodes whose straight edges a workgroup traces, as in `shaders/outline.wgsl`.
@@ -147,6 +160,7 @@ const HIDDEN: &str = text!("hidden");
 const OUTLINE: &str = text!("outline");
 const WALK: &str = text!("walk");
 const VISIBILITY: &str = text!("visibility");
+const TEXTURE: &str = text!("texture");
 /// Sums of a workgroup of 256.
 const SUM: &str = text!("sum");
 
@@ -229,6 +243,66 @@ pub const STAGES: &[Stage] = &[
         texts: &[LAYOUT, text!("mse")],
         slots: &[Slot::Step, Slot::Scene, Slot::Pass, Slot::Levels, Slot::Pyramid],
         over: Over::Levels { finest_first: false },
+    },
+    Stage {
+        name: "texture_floors",
+        texts: &[LAYOUT, TEXTURE, text!("texture_features")],
+        slots: &[Slot::Scene, Slot::TextureLevels, Slot::Coverage, Slot::Texture],
+        over: Over::TexturePixels,
+    },
+    Stage {
+        name: "texture_features",
+        texts: &[LAYOUT, TEXTURE, text!("texture_features")],
+        slots: &[Slot::TextureLevels, Slot::TextureGiven, Slot::Texture],
+        over: Over::TextureFeatures,
+    },
+    Stage {
+        name: "texture_means",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_statistics")],
+        slots: &[Slot::TextureLevels, Slot::TextureGiven, Slot::Texture],
+        over: Over::TextureGroups(FEATURES),
+    },
+    Stage {
+        name: "texture_grams",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_statistics")],
+        slots: &[Slot::TextureLevels, Slot::TextureGiven, Slot::Texture],
+        over: Over::TextureGroups(BUNDLES),
+    },
+    Stage {
+        name: "texture_distance",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_statistics")],
+        slots: &[Slot::Step, Slot::Scene, Slot::TextureLevels, Slot::TextureGiven, Slot::Partials, Slot::Texture],
+        over: Over::TextureGroups(1),
+    },
+    Stage {
+        name: "texture_pull",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_gradient")],
+        slots: &[Slot::TextureLevels, Slot::TextureGiven, Slot::Texture],
+        over: Over::TextureFeatures,
+    },
+    Stage {
+        name: "texture_pull_means",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_gradient")],
+        slots: &[Slot::TextureLevels, Slot::Texture],
+        over: Over::TextureGroups(FEATURES),
+    },
+    Stage {
+        name: "texture_jets",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_gradient")],
+        slots: &[Slot::TextureLevels, Slot::TextureGiven, Slot::Texture],
+        over: Over::TexturePixels,
+    },
+    Stage {
+        name: "texture_gather",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_gradient")],
+        slots: &[Slot::TextureLevels, Slot::TextureGiven, Slot::Texture],
+        over: Over::TexturePixels,
+    },
+    Stage {
+        name: "texture_add",
+        texts: &[LAYOUT, TEXTURE, SUM, text!("texture_gradient")],
+        slots: &[Slot::Scene, Slot::TextureLevels, Slot::TextureGiven, Slot::Pyramid, Slot::Texture],
+        over: Over::TextureViews,
     },
     Stage {
         name: "pull_back",

@@ -4,6 +4,7 @@ use super::device::Device;
 use super::fault::{Answer, Fault, FaultKind};
 use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
 use super::stage::{NODES, outline_groups};
+use super::texture::TextureUpload;
 use crate::objective::{Pyramid, level_sizes};
 use crate::optimize::{Scene, SceneView, Step};
 use crate::raster::{CELL_PX, rings};
@@ -33,6 +34,7 @@ pub(super) struct Upload {
     /// Empty where nothing hides anything.
     pub occluder_depth: Vec<f32>,
     pub planes: Vec<[f32; 4]>,
+    pub texture: TextureUpload,
     /// Entries of the pyramid, the loss's partial sums, the rows of all pictures.
     pub pyramid: usize,
     pub partials: usize,
@@ -166,6 +168,10 @@ impl Upload {
         scene.entries = (ENTRIES_A_POLYGON * 2 * samples * count + cells) as u32;
         scene.gaussian = u32::from(from.pyramid == Pyramid::Gaussian);
         scene.planes = from.planes.len() as u32;
+        let texture = TextureUpload::new(from);
+        scene.texture_partial = partials as u32 + 1;
+        scene.texture_levels = texture.a_view as u32;
+        let partials = partials + 1 + texture.levels.len();
         let mut upload = Upload {
             scene,
             sampling: Map::new(&from.sampling),
@@ -176,8 +182,9 @@ impl Upload {
             target_ink: Vec::new(),
             occluder_depth: Vec::new(),
             planes: from.planes.clone(),
+            texture,
             pyramid: offset,
-            partials: partials + 1,
+            partials,
             rows,
             depth,
         };
@@ -187,10 +194,11 @@ impl Upload {
 
     /// What views bring along, where each begins being known.
     pub fn set_views(&mut self, views: &[SceneView]) {
+        self.texture.set_views(views);
         self.target_ink.clear();
         self.occluder_depth.clear();
         for (packed, view) in self.scene.view.iter_mut().zip(views) {
-            let SceneView { camera, target, weight, occluder } = view;
+            let SceneView { camera, target, weight, occluder, .. } = view;
             (packed.right, packed.down, packed.forward) = (camera.right, camera.down, camera.forward);
             (packed.centre_px, packed.scale) = (camera.centre_px, camera.scale);
             (packed.perspective, packed.weight) = (u32::from(camera.perspective), *weight);
@@ -226,5 +234,7 @@ pub(super) fn pack(step: &Step, count: u32, row: usize) -> layout::Step {
         loss_scale: step.loss_scale,
         gradient_share: step.gradient_share,
         surface: step.surface,
+        texture: step.texture,
+        ..Default::default()
     }
 }

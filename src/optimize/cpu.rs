@@ -4,7 +4,9 @@
 use super::RasterKind;
 use super::Work;
 use super::engine::{Engine, OTHER_TERMS, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
-use crate::objective::{MultiscaleMse, Pyramid, length_and_gradient, surface_and_gradient};
+use crate::objective::{
+    Guidance, MultiscaleMse, Pyramid, Texture, TextureLoss, length_and_gradient, surface_and_gradient,
+};
 use crate::raster::{BandRaster, ExactRaster, Raster};
 use crate::view::{Camera, Image, Occluder, drop_hidden};
 use crate::wire::{Jerk, LinearMap, Stroke};
@@ -17,6 +19,9 @@ struct ViewEngine {
     occluder: Option<Occluder>,
     raster: Box<dyn Raster>,
     mse: MultiscaleMse<f32>,
+    guidance: Option<Box<dyn Guidance>>,
+    /// Which pixels count for it.
+    guided: Vec<f32>,
     /// Of each sample; empty where nothing hides any.
     visibilities: Vec<f32>,
     vertices: Vec<[f32; 3]>,
@@ -25,21 +30,25 @@ struct ViewEngine {
     d_vertices: Vec<[f32; 3]>,
     d_samples: Vec<[f32; 4]>,
     loss: f32,
+    guidance_loss: f32,
 }
 
 impl ViewEngine {
-    fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid) -> Self {
-        let SceneView { camera, target, weight, occluder } = view;
+    fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid, texture: Option<&Texture>) -> Self {
+        let SceneView { camera, target, weight, occluder, texture_mask } = view;
         let raster: Box<dyn Raster> = match raster {
             RasterKind::Band => Box::new(BandRaster::new()),
             RasterKind::Exact => Box::new(ExactRaster::new()),
         };
-        ViewEngine {
+        let loss = |texture| TextureLoss::new(texture, target.width, target.height);
+        let mut engine = ViewEngine {
             camera,
             weight,
             occluder,
             raster,
             mse: MultiscaleMse::new(pyramid, target.width, target.height),
+            guidance: texture.map(|texture| Box::new(loss(texture)) as Box<dyn Guidance>),
+            guided: Vec::new(),
             visibilities: Vec::new(),
             vertices: Vec::new(),
             coverage: vec![0.0; target.data.len()],
@@ -47,14 +56,27 @@ impl ViewEngine {
             d_vertices: Vec::new(),
             d_samples: Vec::new(),
             loss: 0.0,
+            guidance_loss: 0.0,
             target,
+        };
+        engine.guide(texture_mask);
+        engine
+    }
+
+    /// Where its texture counts.
+    fn guide(&mut self, mask: Option<Image>) {
+        self.guided.clear();
+        match mask {
+            Some(mask) => self.guided.extend_from_slice(&mask.data),
+            None => self.guided.resize(self.target.data.len(), 1.0),
         }
     }
 
     /// Another view of the same size.
     fn look(&mut self, view: SceneView) {
-        let SceneView { camera, target, weight, occluder } = view;
+        let SceneView { camera, target, weight, occluder, texture_mask } = view;
         (self.camera, self.target, self.weight, self.occluder) = (camera, target, weight, occluder);
+        self.guide(texture_mask);
     }
 
     /// Samples to vertices, those thin that are hidden.
@@ -90,13 +112,18 @@ impl ViewEngine {
     }
 
     /// Project, draw, compare, and all the way back.
-    fn evaluate(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], level_ratio: f32) {
+    fn evaluate(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], step: &Step) {
         self.project(samples, strokes);
         let coverage = self.raster.forward(self.target.width, self.target.height, &self.vertices, strokes);
         self.coverage.copy_from_slice(coverage);
-        let (loss, d_coverage) = self.mse.evaluate(&self.coverage, &self.target.data, level_ratio, self.weight);
+        let (loss, d_coverage) = self.mse.evaluate(&self.coverage, &self.target.data, step.level_ratio, self.weight);
         self.loss = loss;
         self.d_coverage.copy_from_slice(d_coverage);
+        self.guidance_loss = 0.0;
+        if let Some(guidance) = self.guidance.as_mut().filter(|_| step.texture > 0.0) {
+            let weight = step.texture * self.weight;
+            self.guidance_loss = guidance.guide(&self.coverage, &self.guided, weight, &mut self.d_coverage);
+        }
         self.raster.backward(&self.d_coverage, &mut self.d_vertices);
         self.project_vjp(samples);
     }
@@ -138,7 +165,7 @@ impl CpuEngine {
         let Some(Curve { sampling, strokes, jerk, planes }) = &self.scene else { return };
         sampling.apply(points, &mut self.samples);
         let samples = &self.samples;
-        for_each_view(&mut self.views, |view| view.evaluate(samples, strokes, step.level_ratio));
+        for_each_view(&mut self.views, |view| view.evaluate(samples, strokes, step));
 
         self.d_samples.clear();
         self.d_samples.resize(samples.len(), [0.0; 4]);
@@ -169,7 +196,8 @@ impl CpuEngine {
         for (term, view) in terms[1..].iter_mut().zip(&self.views) {
             *term = view.loss;
         }
-        terms[count + 1..][..OTHER_TERMS.len()].copy_from_slice(&[jerk, length, surface, 0.0]);
+        let texture = self.views.iter().map(|view| view.guidance_loss).sum();
+        terms[count + 1..][..OTHER_TERMS.len()].copy_from_slice(&[jerk, length, surface, texture]);
         terms[0] = terms[1..term_count(count)].iter().sum();
     }
 
@@ -181,8 +209,9 @@ impl CpuEngine {
 
 impl Engine for CpuEngine {
     fn load(&mut self, scene: Scene) -> Work<'_> {
-        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes } = scene;
-        self.views = views.into_iter().map(|view| ViewEngine::new(view, raster, pyramid)).collect();
+        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes, texture } = scene;
+        let engine = |view| ViewEngine::new(view, raster, pyramid, texture.as_deref());
+        self.views = views.into_iter().map(engine).collect();
         self.scene = Some(Curve { sampling, strokes, jerk, planes });
         Work::Done(())
     }

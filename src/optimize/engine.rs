@@ -6,9 +6,10 @@
 
 use super::{Adam, AdamOptions, RasterKind, Work};
 use crate::Error;
-use crate::objective::Pyramid;
+use crate::objective::{Pyramid, Texture};
 use crate::view::{Camera, Image, Occluder};
 use crate::wire::{Jerk, LinearMap, Stroke, Wire};
+use std::sync::Arc;
 
 /// One view of a scene.
 #[derive(Debug, Clone)]
@@ -21,12 +22,14 @@ pub struct SceneView {
     pub weight: f32,
     /// What hides strands from it, of the target's size; nothing does without.
     pub occluder: Option<Occluder>,
+    /// How much each pixel counts for the texture, 0 to 1, of the target's size; all count without.
+    pub texture_mask: Option<Image>,
 }
 
 impl SceneView {
     /// A view that nothing is hidden from.
     pub fn new(camera: Camera<f32>, target: Image, weight: f32) -> SceneView {
-        SceneView { camera, target, weight, occluder: None }
+        SceneView { camera, target, weight, occluder: None, texture_mask: None }
     }
 }
 
@@ -47,6 +50,8 @@ pub struct Scene {
     pub pyramid: Pyramid,
     /// One a sample, `[n, d]`: unit normal and offset of the plane that it is pulled to; none at all without a pull.
     pub planes: Vec<[f32; 4]>,
+    /// What all views' textures should be like, if anything.
+    pub texture: Option<Arc<Texture>>,
 }
 
 impl Scene {
@@ -54,7 +59,7 @@ impl Scene {
     pub fn new(wire: &Wire, samples_per_span: usize, views: Vec<SceneView>) -> Scene {
         let (sampling, strokes) = wire.sampling_map(samples_per_span, true);
         let (raster, pyramid) = (RasterKind::Exact, Pyramid::AveragePool);
-        Scene { sampling, strokes, jerk: Jerk::new(wire), views, raster, pyramid, planes: Vec::new() }
+        Scene { sampling, strokes, jerk: Jerk::new(wire), views, raster, pyramid, planes: Vec::new(), texture: None }
     }
 }
 
@@ -75,6 +80,8 @@ pub struct Step {
     pub length: f32,
     /// Weight of the samples' mean squared distance from their planes.
     pub surface: f32,
+    /// Weight of the texture's loss, times each view's.
+    pub texture: f32,
     /// Smallest and largest width.
     pub width_bounds: [f32; 2],
     /// Factor that makes image losses comparable over the run: one over the sum of the level weights.
@@ -147,7 +154,8 @@ impl Tally {
     /// Takes note of an iteration before its step, from its row of terms and the image terms' gradient.
     pub fn note(&mut self, step: &Step, points: &[[f32; 4]], terms: &[f32], d_points_image: &[[f32; 4]]) {
         let views = terms.len() - term_count(0);
-        let loss = terms[1..=views].iter().sum::<f32>() * step.loss_scale;
+        let texture = terms[terms.len() - 1];
+        let loss = (terms[1..=views].iter().sum::<f32>() + texture) * step.loss_scale;
         if loss < self.best_loss {
             self.best_loss = loss;
             self.best_points.clear();

@@ -135,11 +135,11 @@ impl Problem {
                 let remedy = "give distances from the eye, and infinity for the ground";
                 return Err(Error::picture(&view.name, "some depths are no distances", remedy));
             }
-            if !(steepness.is_finite() && *steepness >= 0.0 && bias_world.is_finite()) {
+            if !(steepness.is_finite() && *steepness > 0.0 && bias_world.is_finite()) {
                 return Err(Error::setting(
                     "visibility",
                     format!("steepness {steepness}, bias {bias_world}"),
-                    "give a steepness from 0 up and a finite bias",
+                    "give a steepness above 0 and a finite bias",
                 ));
             }
         }

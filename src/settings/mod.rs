@@ -476,7 +476,6 @@ impl Settings {
             position_rate: 0.2,
             width_rate: 0.1,
             coarse_share: 0.0,
-            samples: 4,
             level_weight: 1.0,
             ..several.clone()
         };

@@ -18,7 +18,7 @@ pub struct Occluder {
     /// Depth of the surface before the camera in each pixel, world units ([`Camera::depth`]), widened by a pixel so that
     /// strands along a silhouette are not taken for hidden; infinite on the ground.
     pub depth: Image,
-    /// k, per world unit: how sharply strands vanish behind the surface.
+    /// k, per world unit, above 0: how sharply strands vanish behind the surface.
     pub steepness: f32,
     /// b, world units: how far behind the surface half of a strand's width is left.
     pub bias_world: f32,

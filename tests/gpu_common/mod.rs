@@ -7,7 +7,7 @@ use wire4d::gpu::{Device, Kind};
 use wire4d::objective::Pyramid;
 use wire4d::optimize::{AdamOptions, Scene, SceneView, Step};
 use wire4d::rng::Rng;
-use wire4d::view::{Image, Projection, View};
+use wire4d::view::{Image, Occluder, Projection, View};
 use wire4d::wire::Wire;
 
 /// A device, or none with a notice; with `WIRE4D_REQUIRE_GPU` set none is a failure.
@@ -60,6 +60,32 @@ pub fn scene(wire: &Wire, views: &[View], samples: usize, pyramid: Pyramid, seed
     Scene { pyramid, ..Scene::new(wire, samples, views.collect()) }
 }
 
+/// A wavy solid in the middle of each view but the second, and planes through nowhere near the samples.
+pub fn enclosed(mut scene: Scene, seed: u64) -> Scene {
+    let mut rng = Rng::new(seed, 6);
+    for view in scene.views.iter_mut().step_by(2) {
+        let middle = f64::from(view.camera.depth(&[0.0; 4]));
+        let (width, height) = (view.target.width, view.target.height);
+        let mut depth = Image::new(width, height);
+        for (i, depth) in depth.data.iter_mut().enumerate() {
+            let (x, y) = ((i % width) as f64, (i / width) as f64);
+            let inside = (x - 0.5 * width as f64).hypot(y - 0.45 * height as f64) < 0.3 * width as f64;
+            let wave = middle + 0.1 * (0.2 * x).sin() + 0.1 * (0.15 * y).cos();
+            *depth = if inside { wave as f32 } else { f32::INFINITY };
+        }
+        view.occluder = Some(Occluder { steepness: 40.0, ..Occluder::new(depth) });
+    }
+    let count = scene.sampling.rows().len();
+    scene.planes = (0..count)
+        .map(|_| {
+            let [x, y, z] = rng.in_ball(1.0);
+            let length = (x * x + y * y + z * z).sqrt().max(1e-3);
+            [x / length, y / length, z / length, rng.range(-0.5, 0.5)].map(|c| c as f32)
+        })
+        .collect();
+    scene
+}
+
 pub fn points(wire: &Wire) -> Vec<[f32; 4]> {
     wire.control_points().iter().map(|point| point.map(|c| c as f32)).collect()
 }
@@ -73,6 +99,7 @@ pub fn step() -> Step {
         jerk_width: 3e-2,
         length: 0.02,
         surface: 0.3,
+        texture: 0.0,
         width_bounds: [0.01, 0.1],
         loss_scale: 1.0,
         gradient_share: 0.5,

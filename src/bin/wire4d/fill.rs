@@ -4,11 +4,14 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::Path;
-use wire4d::mesh::Shape;
+use wire4d::mesh::{Shape, open_mesh};
 use wire4d::settings::Task;
 use wire4d::tasks::fill::{self, Given, Run, Style};
-use wire4d::view::{GreyDepth, Polarity, ink, read_picture};
+use wire4d::view::{GreyDepth, Pattern, Polarity, ink, read_picture};
 use wire4d::{Error, Result};
+
+/// Side of a pattern's picture, px.
+const PATTERN_PX: usize = 512;
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Fill)?;
@@ -45,7 +48,7 @@ fn given(matches: &ArgMatches) -> Result<Given> {
     let path = args::path(matches, "mesh");
     let mut given = match Shape::named(&path.to_string_lossy()).filter(|_| !path.exists()) {
         Some(shape) => Given::shape(shape),
-        None => return Err(Error::input(path.display().to_string(), "?", "?")),
+        None => Given::mended(&path.display().to_string(), open_mesh(path)?),
     };
     given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
     Ok(given)
@@ -53,6 +56,13 @@ fn given(matches: &ArgMatches) -> Result<Given> {
 
 fn style(path: &Path) -> Result<Style> {
     let name = path.display().to_string();
+    if let Some(pattern) = Pattern::named(&name).filter(|_| !path.exists()) {
+        return Ok(Style { name, ink: pattern.picture(PATTERN_PX), tiles: true });
+    }
+    if !path.exists() && path.extension().is_none() {
+        let words = Pattern::ALL.map(Pattern::name).join(", ");
+        return Err(Error::picture(name, "is neither a file nor a pattern", format!("give a picture or {words}")));
+    }
     let (ink, _) = ink(&read_picture(path)?, Polarity::Auto)?;
     Ok(Style { name, ink, tiles: false })
 }

@@ -12,8 +12,8 @@ use super::engine::engine;
 use super::fit::recipe;
 use super::run::{Placed, Seen};
 use super::saved::SavedRun;
-use crate::mesh::{Depths, Mesh, Nearest, Shape};
-use crate::metrics::{Evenness, ResultReport, SurfaceReport};
+use crate::mesh::{Depths, Mended, Mesh, Nearest, Shape};
+use crate::metrics::{ResultReport, SurfaceReport};
 use crate::optimize::{Problem, Session, Surface, WidthBounds, wait};
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Task};
@@ -21,6 +21,7 @@ use crate::start::{self, FillOptions, Filling, Guide};
 use crate::view::{Image, Occluder, Target, View};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
+use glam::DVec3;
 use motif::Motif;
 use std::sync::Arc;
 
@@ -70,10 +71,19 @@ const FIT_SMOOTHING: f64 = 1e-6;
 const MOST_POINTS: usize = 16_000;
 /// Least and most ink of a style's blank and inked places, as shares of the density.
 const TONES: [f64; 2] = [0.2, 1.8];
+/// Cosine between the normal and the way to the eye from which on a place faces it.
+const FACING: f64 = 0.4;
+/// Weight of the pull to the surface at 1 in the settings: strands stay within a tenth of their distance.
+const SURFACE_WEIGHT: f64 = 100.0;
 /// Iterations after which the surface's tangent planes are taken anew.
 const PLANES_EVERY: usize = 10;
 
 impl Given {
+    /// A mesh from a file.
+    pub fn mended(name: &str, mended: Mended) -> Given {
+        Given { name: name.to_owned(), mesh: Arc::new(mended.mesh), notes: mended.notes, style: None }
+    }
+
     /// A built-in shape.
     pub fn shape(shape: Shape) -> Given {
         Given { name: shape.name().into(), mesh: Arc::new(shape.mesh()), notes: Vec::new(), style: None }
@@ -124,6 +134,12 @@ fn world_per_px(settings: &Settings) -> f64 {
     1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
 }
 
+/// How much a place faces the eye: 1 for most, down to 0 at the silhouette, where a motif would be finer than pixels.
+fn facing(point: &[f64; 3], normal: &[f64; 3], view: &View) -> f64 {
+    let there = DVec3::from(view.eye) - DVec3::from(*point);
+    (there.normalize_or_zero().dot(DVec3::from(*normal)) / FACING).clamp(0.0, 1.0)
+}
+
 fn width_bounds(settings: &Settings) -> WidthBounds {
     let px = world_per_px(settings) * settings.size as f64 / 256.0;
     WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px }
@@ -171,9 +187,7 @@ impl Plan {
     fn seen(&self, views: Vec<View>, settings: &Settings) -> Seen {
         let seen = in_parallel(&views, |view| {
             let depths = Depths::render(&self.mesh, view);
-            let mut ink = depths.shade(|point, normal| self.wanted(point, normal, settings) as f32);
-            let silhouette = depths.silhouette();
-            ink.data.iter_mut().zip(&silhouette.data).for_each(|(ink, inside)| *ink *= inside);
+            let ink = depths.shade(&self.mesh, |point, normal| self.wanted(&point, &normal, view, settings) as f32);
             let occluder = self.occluder(&depths, settings);
             (Target { view: view.clone(), ink }, occluder)
         });
@@ -181,12 +195,12 @@ impl Plan {
         Seen { targets, occluders }
     }
 
-    /// How much ink a place should have, 0 to 1.
-    fn wanted(&self, point: &[f64; 3], normal: &[f64; 3], settings: &Settings) -> f64 {
+    /// How much ink a place should have in `view`, 0 to 1.
+    fn wanted(&self, point: &[f64; 3], normal: &[f64; 3], view: &View, settings: &Settings) -> f64 {
         let style = match &self.motif {
             Some(motif) if settings.motif != Laid::Off => {
                 let [least, most] = TONES;
-                let strength = settings.style_strength;
+                let strength = settings.style_strength * facing(point, normal, view);
                 1.0 - strength + strength * (least + (most - least) * motif.tone(point, normal))
             }
             _ => 1.0,
@@ -207,7 +221,7 @@ impl Plan {
         path.points.iter_mut().for_each(|point| point[3] = width);
         let wire = match settings.control_points {
             0 => self.fitted(&path, settings.curve_spacing)?,
-            count => start::wire_with(&path, count)?,
+            count => start::fitted(&path, count, FIT_SMOOTHING)?,
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
@@ -218,8 +232,8 @@ impl Plan {
         let mut found = None;
         for share in PATHS_PER_POINT {
             let count = ((length / (share * spacing)).round() as usize).clamp(8, MOST_POINTS);
-            let wire = start::wire_with(path, count)?;
-            let error = 0.0;
+            let wire = start::fitted(path, count, FIT_SMOOTHING)?;
+            let error = start::fit_error(path, &wire);
             found = Some(wire);
             if error <= FIT_TOLERANCE * spacing || count == MOST_POINTS {
                 break;
@@ -239,7 +253,7 @@ impl Plan {
             occluders,
             surface: Some(Surface {
                 nearest: Arc::clone(&self.nearest),
-                weight: settings.surface_pull,
+                weight: SURFACE_WEIGHT * settings.surface_pull,
                 every: PLANES_EVERY,
             }),
             ..Problem::for_drawings(wire, targets, recipe(settings))

@@ -14,7 +14,7 @@ const COARSE: f64 = 0.02;
 /// Side to which pictures are scaled.
 const SIDE_PX: usize = 384;
 /// How sharply one side of the box gives way to the next.
-const SHARPNESS: i32 = 6;
+const SHARPNESS: i32 = 12;
 
 /// A style's picture, laid on.
 pub(super) struct Motif {
