@@ -12,8 +12,8 @@ export interface BodyShape {
   readonly indices: ArrayLike<number>;
 }
 
-/** How far behind its surface the body begins to hide, world units: a wire on the surface is half in it. */
-const BEHIND = 0.03;
+/** How far behind its surface the body begins to hide, world units: a wire on it is half in it, and strays a little. */
+const BEHIND = 0.05;
 
 /** What lives of it on the graphics card. */
 export class Body {

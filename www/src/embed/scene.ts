@@ -15,7 +15,7 @@ import { buildRings } from "./tube";
 /** About as many samples in all as a screen can tell apart. */
 const SAMPLES = 2600;
 /** The same where a wire turns again and again to cover a body. */
-const SAMPLES_ON_BODY = 14_000;
+const SAMPLES_ON_BODY = 8000;
 const MAX_DENSITY = 2;
 const FLIGHT_MS = 650;
 const STEP_MS = 220;
@@ -43,6 +43,8 @@ const SWAY_ONSET_S = 4;
 const SHADOW_HALF = 0.8;
 const ROOM_SHARE = 0.94;
 const VIEW_SHARE = 0.84;
+/** Bodies reach farther than the wires that a room is made for. */
+const ROOM_SHARE_OF_BODIES = 0.82;
 const MAX_PICTURE_PX = 4096;
 
 export class StageUnavailable extends Error {}
@@ -138,6 +140,7 @@ export class Scene {
     this.wireStale = true;
     this.painter.loadBody(body);
     if (body && !this.wire) this.box = cornersOf(...boundsOf(body));
+    if (this.view === "room" && !this.touring) this.go("room", FLIGHT_MS);
     this.invalidate();
   }
 
@@ -255,7 +258,7 @@ export class Scene {
 
   private poseOf(vantage: Vantage, aspect: number): Pose {
     const room = vantage === "room" && this.look.room;
-    return framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? ROOM_SHARE : VIEW_SHARE);
+    return framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? (this.body ? ROOM_SHARE_OF_BODIES : ROOM_SHARE) : VIEW_SHARE);
   }
 
   /** The same frame, seen from where the swaying camera is. */

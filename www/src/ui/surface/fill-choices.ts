@@ -156,8 +156,8 @@ export class FillChoices extends Part {
   }
 
   private words(): string {
-    const { planned, curve, doc } = this.state;
-    if (!planned || !curve) return "";
+    const { planned, curve, doc, phase } = this.state;
+    if (!planned || !curve || phase !== "idle") return "";
     return doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
   }
 

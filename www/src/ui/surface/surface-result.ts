@@ -31,7 +31,7 @@ export class SurfaceResult extends Part {
       }
       /* Kept free: nothing below moves when there is something to say. */
       .verdict {
-        min-height: 55px;
+        min-height: 73px;
         margin: 0;
         overflow-wrap: anywhere;
       }
