@@ -4,7 +4,7 @@ use std::sync::Arc;
 use wire4d::Error;
 use wire4d::mesh::{Nearest, Shape};
 use wire4d::optimize::{
-    Checkpoint, CpuEngine, Problem, RasterKind, Recipe, Refine, Schedule, Session, Stage, Surface, TopologyEdit,
+    Checkpoint, CpuEngine, Problem, RasterKind, Recipe, Refine, Schedule, Seen, Session, Stage, Surface, TopologyEdit,
     TopologyEvent,
 };
 use wire4d::rng::Rng;
@@ -72,7 +72,7 @@ fn go_on(session: &mut Session, every: usize, end: usize) {
         let i = session.iteration();
         if i > 0 && i.is_multiple_of(every) {
             let (targets, occluders) = views((i / every) as u64);
-            session.set_views(targets, occluders).unwrap();
+            session.set_views(Seen { targets, occluders, ..Seen::default() }).unwrap();
         }
         let left = every - i % every;
         session.step(left.min(end - i));
@@ -162,7 +162,7 @@ fn views_exchanged_on_the_way_are_those_of_a_fresh_engine() {
     session.step(17);
     let saved = session.checkpoint().without_best();
     let (targets, occluders) = views(7);
-    session.set_views(targets.clone(), occluders.clone()).unwrap();
+    session.set_views(Seen { targets: targets.clone(), occluders: occluders.clone(), ..Seen::default() }).unwrap();
     session.step(1);
     let changed = Problem { targets, occluders, ..problem(1.0) };
     let mut fresh = Session::resume_with_engine(changed.clone(), saved.clone(), Box::new(CpuEngine::new())).unwrap();
@@ -200,6 +200,6 @@ fn occluders_that_do_not_fit_are_refused() {
     session.step(2);
     let (targets, mut occluders) = views(3);
     occluders[0].depth.data[0] = f32::NAN;
-    assert!(session.set_views(targets, occluders).is_err());
+    assert!(session.set_views(Seen { targets, occluders, ..Seen::default() }).is_err());
     assert_eq!(session.problem(), &fine);
 }

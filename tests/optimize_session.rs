@@ -357,7 +357,7 @@ fn checkpoints_of_other_problems_and_damaged_ones_are_refused() {
     };
     assert_eq!(resumed(good.clone(), &problem), Some(Ok(())));
     let damages: [fn(&mut serde_json::Value); 9] = [
-        |v| v["version"] = 2.into(),
+        |v| v["version"] = 1.into(),
         |v| v["iteration"] = 29.into(),
         |v| v["iteration"] = 1_000_000.into(),
         |v| v["state"]["points"] = serde_json::json!([]),

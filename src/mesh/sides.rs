@@ -23,9 +23,8 @@ pub(super) fn drop_doubles(triangles: &mut Vec<[u32; 3]>) {
     triangles.retain(|_| *kept.next().unwrap_or(&false));
 }
 
-/// The triangle at each side of each triangle, and how many edges had more than two. Of those, sides that run in
-/// opposite directions are joined in the order of their triangles, the others stay open. No triangle may be there twice.
-pub(super) fn link(triangles: &[[u32; 3]]) -> (Vec<[u32; 3]>, usize) {
+/// All sides as (edge, 3 triangle + side), sorted.
+fn sides(triangles: &[[u32; 3]]) -> Vec<(u64, u32)> {
     let mut sides: Vec<(u64, u32)> = Vec::with_capacity(3 * triangles.len());
     for (i, t) in triangles.iter().enumerate() {
         for k in 0..3 {
@@ -34,23 +33,48 @@ pub(super) fn link(triangles: &[[u32; 3]]) -> (Vec<[u32; 3]>, usize) {
         }
     }
     sides.sort_unstable();
+    sides
+}
+
+/// Whether a side runs from the lower to the higher corner.
+fn rises(triangles: &[[u32; 3]], side: u32) -> bool {
+    let (t, k) = (triangles[side as usize / 3], side as usize % 3);
+    t[k] < t[(k + 1) % 3]
+}
+
+/// Drops triangles from edges that more than one of them passes in one direction, the lowest stays; how many.
+pub(super) fn thin_out(triangles: &mut Vec<[u32; 3]>) -> usize {
+    let mut keep = vec![true; triangles.len()];
+    for edge in sides(triangles).chunk_by(|a, b| a.0 == b.0) {
+        for direction in [false, true] {
+            for &(_, side) in edge.iter().filter(|side| rises(triangles, side.1) == direction).skip(1) {
+                keep[side as usize / 3] = false;
+            }
+        }
+    }
+    let before = triangles.len();
+    let mut kept = keep.iter();
+    triangles.retain(|_| *kept.next().unwrap_or(&false));
+    before - triangles.len()
+}
+
+/// The triangle at each side of each triangle, and how many edges had more than two. Of those, sides that run in
+/// opposite directions are joined in the order of their triangles, the others stay open. No triangle may be there twice.
+pub(super) fn link(triangles: &[[u32; 3]]) -> (Vec<[u32; 3]>, usize) {
     let mut links = vec![[OPEN; 3]; triangles.len()];
     let mut join = |a: u32, b: u32| {
         links[a as usize / 3][a as usize % 3] = b / 3;
         links[b as usize / 3][b as usize % 3] = a / 3;
     };
     let mut cut = 0;
-    for edge in sides.chunk_by(|a, b| a.0 == b.0) {
+    for edge in sides(triangles).chunk_by(|a, b| a.0 == b.0) {
         match edge {
             [_] => {}
             [a, b] => join(a.1, b.1),
             _ => {
                 cut += 1;
-                let rises = |side: u32| {
-                    let (t, k) = (triangles[side as usize / 3], side as usize % 3);
-                    t[k] < t[(k + 1) % 3]
-                };
-                let (up, down): (Vec<u32>, Vec<u32>) = edge.iter().map(|side| side.1).partition(|&side| rises(side));
+                let (up, down): (Vec<u32>, Vec<u32>) =
+                    edge.iter().map(|side| side.1).partition(|&side| rises(triangles, side));
                 for (&a, &b) in up.iter().zip(&down) {
                     join(a, b);
                 }

@@ -142,3 +142,56 @@ fn strand_histogram(strands: &Strands, spacing: f64) -> (Vec<f64>, f64) {
     }
     (histogram, whole)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square with side 1 and a line that goes to and fro `every` so much over all of it.
+    fn serpentine(every: f64) -> (Mesh, Vec<[f64; 3]>) {
+        let corners = vec![[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [0.5, 0.5, 0.0], [-0.5, 0.5, 0.0]];
+        let rows = (1.0 / every).round() as usize;
+        let point = |k: usize| {
+            let x = if (k + 1) / 2 % 2 == 0 { -0.5 } else { 0.5 };
+            [x, -0.5 + every * ((k / 2) as f64 + 0.5), 0.0]
+        };
+        let mesh = Mesh::new("square", corners, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+        (mesh, (0..2 * rows).map(point).collect())
+    }
+
+    #[test]
+    fn parallels_a_spacing_apart_are_the_ideal() {
+        let (mesh, line) = serpentine(0.05);
+        let evenness = Evenness::measure(&mesh, &line, 0.05).unwrap();
+        assert!((evenness.mean - 0.25).abs() < 0.01 && evenness.worst < 0.51, "{evenness:?}");
+        assert!((evenness.median - 0.25).abs() < 0.02 && (evenness.p99 - 0.495).abs() < 0.02);
+        // The way back to the start along one side and the steps between rows come on top of 20 rows.
+        assert!((evenness.length_world - 20.0 - 1.9).abs() < 0.2, "{evenness:?}");
+        assert!(evenness.strands[9] + evenness.strands[10] > 0.8 && evenness.crowded < 0.1, "{evenness:?}");
+        assert!((evenness.strands.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_wrong_shows() {
+        let (mesh, line) = serpentine(0.05);
+        let good = Evenness::measure(&mesh, &line, 0.05).unwrap();
+        let crowded = Evenness::measure(&mesh, &line, 0.15).unwrap();
+        assert!(crowded.crowded > 0.6 && crowded.spacing_ratio < 0.4, "{crowded:?}");
+        let gappy = Evenness::measure(&mesh, &line[..30], 0.05).unwrap();
+        assert!(gappy.worst > 2.0 && gappy.spacing_ratio > 1.15, "{gappy:?}");
+        let mut crossing = line.clone();
+        crossing[10][1] += 0.07;
+        let crossing = Evenness::measure(&mesh, &crossing, 0.05).unwrap();
+        assert!(crossing.crossings > good.crossings, "{} and {}", crossing.crossings, good.crossings);
+    }
+
+    #[test]
+    fn no_line_is_no_harm() {
+        let (mesh, line) = serpentine(0.1);
+        for line in [&line[..0], &line[..1], &line[..2]] {
+            let evenness = Evenness::measure(&mesh, line, 0.1).unwrap();
+            assert!(evenness.mean.is_finite() && evenness.spacing_ratio.is_finite() && evenness.crossings == 0);
+        }
+        assert!(Evenness::measure(&mesh, &line, 1e-6).is_err());
+    }
+}

@@ -2,30 +2,29 @@
 
 use super::bending::Bender;
 use super::engine::{Scene, SceneView};
-use super::{Session, Stage};
-use crate::view::{Image, Occluder, Target};
+use super::{Seen, Session, Stage};
+use crate::view::{Image, Target};
 use crate::{Error, Result};
 
 impl Session {
-    /// Fits something else from here on: as many targets as before, on the same scale, and what hides strands from them
-    /// (nothing does if `occluders` is empty). Losses so far are no measure for it, so the best wire is looked for anew.
-    /// Where sizes stay and no target bends that is cheap enough to be done before every iteration.
+    /// Looks at something else from here on: as many targets as before, on the same scale. Losses so far are no measure for
+    /// it, so the best wire is looked for anew. Where sizes stay and no target bends that is cheap enough to be done before
+    /// every iteration.
     ///
     /// # Errors
     /// As [`Problem::check`], and [`Error::Pictures`] for another number of targets; then nothing has changed.
-    pub fn set_views(&mut self, targets: Vec<Target>, occluders: Vec<Occluder>) -> Result<()> {
-        if targets.len() != self.problem.targets.len() {
-            let problem = format!("{} targets for a fit of {}", targets.len(), self.problem.targets.len());
+    pub fn set_views(&mut self, seen: Seen) -> Result<()> {
+        if seen.targets.len() != self.problem.targets.len() {
+            let problem = format!("{} targets for a fit of {}", seen.targets.len(), self.problem.targets.len());
             return Err(Error::Pictures { problem, remedy: "give one for each view".into() });
         }
-        let targets_before = std::mem::replace(&mut self.problem.targets, targets);
-        let occluders_before = std::mem::replace(&mut self.problem.occluders, occluders);
+        let before = self.problem.look_at(seen);
         if let Err(error) = self.problem.check() {
-            (self.problem.targets, self.problem.occluders) = (targets_before, occluders_before);
+            self.problem.look_at(before);
             return Err(error);
         }
         let stage = self.stage();
-        let mut sizes = targets_before.iter().zip(&self.problem.targets);
+        let mut sizes = before.targets.iter().zip(&self.problem.targets);
         let same_sizes = sizes.all(|(before, after)| fitted_size(before, stage) == fitted_size(after, stage));
         self.unseen = true;
         self.loaded &= same_sizes && self.problem.recipe.bending.is_none();
@@ -51,6 +50,7 @@ impl Session {
             raster: stage.raster,
             pyramid: self.problem.recipe.pyramid,
             planes: self.planes(),
+            texture: self.problem.texture.clone(),
             ..Scene::new(&self.wire, stage.samples_per_span, self.views(inks))
         };
         self.engine.load(scene).done().await;
@@ -82,7 +82,8 @@ impl Session {
                 }
             });
             let camera = target.view.with_size(width, height).camera();
-            SceneView { occluder, ..SceneView::new(camera, ink, self.problem.view_weight(v) as f32) }
+            let texture_mask = self.problem.texture_masks.get(v).map(|mask| mask.resized(width, height));
+            SceneView { occluder, texture_mask, ..SceneView::new(camera, ink, self.problem.view_weight(v) as f32) }
         };
         self.problem.targets.iter().zip(inks).enumerate().map(view).collect()
     }

@@ -22,7 +22,7 @@ pub use checkpoint::Checkpoint;
 pub use cpu::CpuEngine;
 pub use engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
 pub use history::{Event, EventKind, History};
-pub use problem::{Problem, WidthBounds};
+pub use problem::{Problem, Seen, WidthBounds};
 pub use recipe::{RasterKind, Recipe, Stage};
 pub use reinit::{NewPoint, Reinit};
 pub use schedule::Schedule;

@@ -2,9 +2,11 @@
 
 use super::Surface;
 use super::recipe::Recipe;
-use crate::view::{Occluder, Target};
+use crate::objective::Texture;
+use crate::view::{Image, Occluder, Target};
 use crate::wire::Wire;
 use crate::{Error, Result};
+use std::sync::Arc;
 
 /// Hard bounds of the width (full diameter) in world units. Equal bounds give a wire of constant width.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -13,6 +15,17 @@ pub struct WidthBounds {
     pub min_world: f64,
     /// Thickest.
     pub max_world: f64,
+}
+
+/// What a fit looks at for a while.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Seen {
+    /// The views and what they should show.
+    pub targets: Vec<Target>,
+    /// As [`Problem::occluders`].
+    pub occluders: Vec<Occluder>,
+    /// As [`Problem::texture_masks`].
+    pub texture_masks: Vec<Image>,
 }
 
 /// A fit to be done: pure data, all a [`super::Session`] needs.
@@ -26,6 +39,12 @@ pub struct Problem {
     pub view_weights: Vec<f64>,
     /// What hides strands from each view, of its target's size; empty means nothing does.
     pub occluders: Vec<Occluder>,
+    /// What all views' textures should be like, if anything.
+    pub texture: Option<Arc<Texture>>,
+    /// Weight of the texture's loss, times each view's.
+    pub texture_weight: f64,
+    /// How much each pixel of a view counts for the texture, 0 to 1, of its target's size; empty means all count.
+    pub texture_masks: Vec<Image>,
     /// What the wire is kept on, if anything.
     pub surface: Option<Surface>,
     /// Hard bounds of the width.
@@ -45,8 +64,29 @@ impl Problem {
     pub fn for_drawings(wire: Wire, targets: Vec<Target>, recipe: Recipe) -> Problem {
         let px_256 = world_per_px(&targets, 256.0);
         let width = WidthBounds { min_world: px_256, max_world: 20.0 * px_256 };
-        let (view_weights, occluders) = (Vec::new(), Vec::new());
-        Problem { wire, targets, view_weights, occluders, surface: None, width, recipe, seed: 0 }
+        Problem {
+            wire,
+            targets,
+            view_weights: Vec::new(),
+            occluders: Vec::new(),
+            texture: None,
+            texture_weight: 0.0,
+            texture_masks: Vec::new(),
+            surface: None,
+            width,
+            recipe,
+            seed: 0,
+        }
+    }
+
+    /// Looks at something else, and says what it looked at before.
+    pub(super) fn look_at(&mut self, seen: Seen) -> Seen {
+        let Seen { targets, occluders, texture_masks } = seen;
+        Seen {
+            targets: std::mem::replace(&mut self.targets, targets),
+            occluders: std::mem::replace(&mut self.occluders, occluders),
+            texture_masks: std::mem::replace(&mut self.texture_masks, texture_masks),
+        }
     }
 
     /// Weight of view `v`'s image loss.
@@ -94,6 +134,7 @@ impl Problem {
             }
         }
         self.check_occluders()?;
+        self.check_texture()?;
         if let Some(surface) = &self.surface {
             surface.check()?;
         }
@@ -114,6 +155,26 @@ impl Problem {
             ));
         }
         self.recipe.check()
+    }
+
+    fn check_texture(&self) -> Result<()> {
+        if !(self.texture_weight.is_finite() && self.texture_weight >= 0.0) {
+            let problem = format!("its weight is {}", self.texture_weight);
+            return Err(Error::setting("texture", problem, "give a weight from 0 up"));
+        }
+        let (count, views) = (self.texture_masks.len(), self.targets.len());
+        if count != 0 && count != views {
+            let problem = format!("{count} texture masks for {views} views");
+            return Err(Error::Pictures { problem, remedy: "give one for each view, or none at all".into() });
+        }
+        for (mask, Target { view, ink }) in self.texture_masks.iter().zip(&self.targets) {
+            let fits = (mask.width, mask.height) == (ink.width, ink.height) && mask.data.len() == ink.data.len();
+            if !fits || !mask.data.iter().all(|weight| (0.0..=1.0).contains(weight)) {
+                let problem = "its texture mask is of another size or not from 0 to 1";
+                return Err(Error::picture(&view.name, problem, "give a weight for each pixel of the view"));
+            }
+        }
+        Ok(())
     }
 
     fn check_occluders(&self) -> Result<()> {

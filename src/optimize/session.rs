@@ -337,7 +337,7 @@ impl Session {
             jerk_width: (recipe.jerk_width.at(progress) / (half * half)) as f32,
             length: (recipe.length.at(progress) / half) as f32,
             surface: self.problem.surface.as_ref().map_or(0.0, |s| (s.weight / (half * half)) as f32),
-            texture: 0.0,
+            texture: self.problem.texture_weight as f32,
             width_bounds: [self.problem.width.min_world as f32, self.problem.width.max_world as f32],
             loss_scale: 1.0 / level_sum(recipe.level_ratio.at(progress) as f32),
             gradient_share: 0.0,

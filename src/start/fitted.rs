@@ -4,7 +4,7 @@ use super::Path;
 use super::banded::Banded;
 use super::fit::{length, resampled};
 use crate::error::{Error, Result};
-use crate::wire::Wire;
+use crate::wire::{MAX_CONTROL_POINTS, Wire};
 
 /// How often points look for their nearest place on the wire anew.
 const ROUNDS: usize = 3;
@@ -27,9 +27,10 @@ pub fn fitted(path: &Path, control_points: usize, smoothing: f64) -> Result<Wire
     if path.points.len() < 2 || path.points.iter().flatten().any(|x| !x.is_finite()) || length(path) <= 0.0 {
         return Err(Error::wire("wire", "there is no path to fit it to", "use a longer path"));
     }
-    let count = path.points.len().max(POINTS_A_CONTROL * control_points.min(crate::wire::MAX_CONTROL_POINTS));
+    // More than a wire may have is refused before anything of that size is made.
+    let mut wire = super::wire_with(path, control_points.min(MAX_CONTROL_POINTS + 1))?;
+    let count = path.points.len().max(POINTS_A_CONTROL * control_points);
     let points = resampled(path, count);
-    let mut wire = super::wire_with(path, control_points)?;
     let (start, end) = wire.domain();
     let steps = if path.closed { count } else { count - 1 } as f64;
     let mut places: Vec<f64> = (0..count).map(|i| start + (end - start) * i as f64 / steps).collect();

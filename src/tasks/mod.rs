@@ -11,4 +11,4 @@ mod saved;
 pub mod stroke;
 
 pub use engine::place;
-pub use run::{Job, Placed, Run, Seen};
+pub use run::{Job, Placed, Run};

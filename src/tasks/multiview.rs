@@ -187,14 +187,9 @@ impl Plan {
     fn problem(&self, wire: Wire, targets: Vec<Target>, settings: &Settings) -> Problem {
         let px = self.world_per_px_256();
         Problem {
-            wire,
-            targets,
-            view_weights: Vec::new(),
-            occluders: Vec::new(),
-            surface: None,
             width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
-            recipe: recipe(settings),
             seed: settings.seed,
+            ..Problem::for_drawings(wire, targets, recipe(settings))
         }
     }
 

@@ -3,10 +3,10 @@
 use super::fit::event_reports;
 use super::saved::SavedRun;
 use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
-use crate::optimize::{Event, Place, Session, wait};
+use crate::optimize::{Event, Place, Seen, Session, wait};
 use crate::sculpture::{MadeWith, Sculpture, render};
 use crate::settings::Settings;
-use crate::view::{Image, Occluder, Target, View};
+use crate::view::{Image, Target, View};
 use crate::wire::Wire;
 
 /// How a picture was laid into a view.
@@ -23,14 +23,6 @@ pub struct Placed {
     pub quarter_turns: u8,
     /// Share of its ink that any object at all could show, 0 to 1.
     pub coverable: f32,
-}
-
-/// What is fitted for a while.
-pub struct Seen {
-    /// The views and what they should show.
-    pub targets: Vec<Target>,
-    /// What hides strands from each; empty means nothing does.
-    pub occluders: Vec<Occluder>,
 }
 
 /// What a task brings to a fit, and what it adds to the report.
@@ -67,7 +59,7 @@ pub trait Job: Sized {
 
     /// What is fitted from iteration `iteration` on, where views change.
     fn views_from(&self, _iteration: usize, _settings: &Settings) -> Seen {
-        Seen { targets: self.targets().to_vec(), occluders: Vec::new() }
+        Seen { targets: self.targets().to_vec(), ..Seen::default() }
     }
 }
 
@@ -113,8 +105,7 @@ impl<J: Job> Run<J> {
         }
         let iteration = self.session.iteration();
         if iteration > 0 && iteration.is_multiple_of(every) {
-            let Seen { targets, occluders } = self.job.views_from(iteration, &self.settings);
-            let kept = self.session.set_views(targets, occluders);
+            let kept = self.session.set_views(self.job.views_from(iteration, &self.settings));
             debug_assert!(kept.is_ok(), "{kept:?}");
         }
         every - iteration % every

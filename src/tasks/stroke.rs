@@ -12,9 +12,9 @@
 
 use super::engine::engine;
 use super::fit::recipe;
-use super::run::{Placed, Seen};
+use super::run::Placed;
 use super::saved::SavedRun;
-use crate::optimize::{Problem, Refine, Session, TopologyEdit, WidthBounds, wait};
+use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, WidthBounds, wait};
 use crate::rng::Rng;
 use crate::sculpture::render_sampled;
 use crate::settings::{Preset, Settings, Shading, Start, Task};
@@ -286,14 +286,10 @@ impl Plan {
             }
         }
         Problem {
-            wire,
-            targets: self.fitted(first, iteration, settings),
-            occluders: Vec::new(),
-            surface: None,
             view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
             width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
-            recipe,
             seed: settings.seed,
+            ..Problem::for_drawings(wire, self.fitted(first, iteration, settings), recipe)
         }
     }
 }
@@ -349,7 +345,7 @@ impl super::Job for Job {
     }
 
     fn views_from(&self, iteration: usize, settings: &Settings) -> Seen {
-        Seen { targets: self.plan.fitted(&self.first, iteration, settings), occluders: Vec::new() }
+        Seen { targets: self.plan.fitted(&self.first, iteration, settings), ..Seen::default() }
     }
 }
 

@@ -98,3 +98,54 @@ pub fn without_slivers(surface: &Surface, values: &mut [f64], least: f64) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::strand::length;
+    use super::super::testing::sheet;
+    use super::*;
+    use crate::mesh::Shape;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn the_equator_of_a_sphere_is_one_line() {
+        let surface = Surface::new(&Shape::Sphere.mesh(), 0.05).unwrap();
+        let values: Vec<f64> = surface.points.iter().map(|p| p.y + 0.3 * p.x).collect();
+        let lines = zero_lines(&surface, &values);
+        assert_eq!(lines.len(), 1);
+        assert!((length(&lines[0]) - 2.0 * PI).abs() < 0.01);
+        for node in &lines[0] {
+            assert!((node.point.y + 0.3 * node.point.x).abs() < 0.01);
+            assert!(surface.distance_squared(node.point, node.triangle) < 1e-20);
+        }
+    }
+
+    #[test]
+    fn lines_that_leave_by_the_rim_are_left_out() {
+        let surface = Surface::new(&sheet(10), 0.1).unwrap();
+        let open: Vec<f64> = surface.points.iter().map(|p| p.x - 0.011).collect();
+        assert!(zero_lines(&surface, &open).is_empty());
+        let closed: Vec<f64> = surface.points.iter().map(|p| 0.3 - p.length()).collect();
+        assert_eq!(zero_lines(&surface, &closed).len(), 1);
+    }
+
+    #[test]
+    fn slivers_go_and_bands_stay() {
+        let surface = Surface::new(&sheet(50), 0.02).unwrap();
+        let bands = |height: f64| surface.points.iter().map(|p| height - (20.0 * p.length() - 6.0).powi(2)).collect();
+        for (height, left) in [(0.4, 0), (2.0, 2)] {
+            let mut values: Vec<f64> = bands(height);
+            without_slivers(&surface, &mut values, 0.5);
+            assert_eq!(zero_lines(&surface, &values).len(), left, "a ring of height {height}");
+        }
+    }
+
+    #[test]
+    fn every_part_gets_a_line() {
+        for surface in [Surface::new(&sheet(30), 0.05), Surface::new(&Shape::Torus.mesh(), 0.05)].map(|s| s.unwrap()) {
+            let mut values: Vec<f64> = surface.points.iter().map(|p| 3.0 + p.x).collect();
+            cross_zero(&surface, &mut values, &surface.rim_distances());
+            assert!(!zero_lines(&surface, &values).is_empty());
+        }
+    }
+}

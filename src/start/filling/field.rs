@@ -119,3 +119,38 @@ fn tangent_or(direction: DVec3, normal: DVec3, otherwise: DVec3) -> DVec3 {
     let flat = direction - normal * normal.dot(direction);
     if flat.length_squared() > 1e-12 * direction.length_squared() { flat.normalize_or(otherwise) } else { otherwise }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::hierarchy::levels;
+    use super::super::surface::Surface;
+    use super::*;
+    use crate::mesh::Shape;
+
+    fn alignment(guide: &Guide) -> f64 {
+        let surface = Surface::new(&Shape::Vase.mesh(), 0.1).unwrap();
+        let field = line_field(&levels(&surface), guide, 1);
+        let up = |v: usize| DVec3::Y.reject_from_normalized(surface.normals[v]);
+        let sum = |of: &dyn Fn(usize) -> f64| (0..field.len()).map(of).sum::<f64>();
+        for (direction, normal) in field.iter().zip(&surface.normals) {
+            assert!((direction.length() - 1.0).abs() < 1e-9 && direction.dot(*normal).abs() < 1e-6);
+        }
+        sum(&|v| field[v].dot(up(v)).abs()) / sum(&|v| up(v).length())
+    }
+
+    #[test]
+    fn lines_follow_their_guide() {
+        assert!(alignment(&Guide::Along([0.0, 2.0, 0.0])) > 0.9);
+        assert!(alignment(&Guide::Across([0.0, 2.0, 0.0])) < 0.15);
+        assert!(alignment(&Guide::Custom(Box::new(|_, _| Some(([0.0, 1.0, 0.0], 1.0))))) > 0.9);
+        let broken = Guide::Custom(Box::new(|_, _| Some(([f64::NAN; 3], f64::INFINITY))));
+        assert_eq!(alignment(&broken), alignment(&Guide::Smooth), "what is not a number is not a wish");
+    }
+
+    #[test]
+    fn a_flat_sheet_gets_straight_lines() {
+        let surface = Surface::new(&super::super::testing::sheet(20), 0.05).unwrap();
+        let field = line_field(&levels(&surface), &Guide::Smooth, 4);
+        assert!(field.iter().all(|direction| direction.dot(field[0]).abs() > 0.999));
+    }
+}

@@ -109,3 +109,28 @@ pub fn levels(surface: &Surface) -> Vec<Level> {
         levels.push(coarser);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Shape;
+
+    #[test]
+    fn levels_shrink_to_a_handful_and_stay_tied() {
+        let surface = Surface::new(&Shape::Vase.mesh(), 0.06).unwrap();
+        let levels = levels(&surface);
+        assert!(levels.len() > 8 && levels[levels.len() - 1].points.len() < 200);
+        for pair in levels.windows(2) {
+            let (fine, coarse) = (&pair[0], &pair[1]);
+            assert!(10 * coarse.points.len() <= 9 * fine.points.len());
+            assert!(fine.parents.iter().all(|&p| (p as usize) < coarse.points.len()));
+            assert_eq!(coarse.sizes.iter().sum::<f64>(), surface.points.len() as f64);
+            for v in 0..coarse.points.len() {
+                for &(other, weight) in coarse.ties_of(v) {
+                    assert!(other as usize != v);
+                    assert!(coarse.ties_of(other as usize).contains(&(v as u32, weight)), "ties go both ways");
+                }
+            }
+        }
+    }
+}

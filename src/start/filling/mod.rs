@@ -14,6 +14,8 @@ mod stitch;
 mod strand;
 mod stripes;
 mod surface;
+#[cfg(test)]
+mod testing;
 
 use super::Path;
 use crate::error::{Error, Result};

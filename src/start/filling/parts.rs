@@ -59,3 +59,24 @@ fn link(strands: &mut Strands, mut a: u32, b: u32, linked: &mut [bool], spacing:
         linked[i as usize] = true;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::strand::length;
+    use super::super::surface::Surface;
+    use super::super::testing::{circle, sheet};
+    use super::*;
+
+    #[test]
+    fn far_rings_are_linked_at_their_nearest_points() {
+        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let rings = [[-0.35, -0.3], [0.35, -0.3], [0.0, 0.3]].map(|centre| circle(&surface, centre, 0.1));
+        let line = joined(&rings, 0.05);
+        assert_eq!(line.len(), 600);
+        let rings_alone: f64 = rings.iter().map(|ring| length(ring)).sum();
+        let links = 2.0 * (0.6f64.hypot(0.35) - 0.2) + 2.0 * (0.6f64.hypot(0.35) - 0.2).min(0.5);
+        assert!((length(&line) - rings_alone - links).abs() < 0.05, "{} more", length(&line) - rings_alone);
+        assert_eq!(joined(&rings[..1], 0.05), rings[0]);
+        assert!(joined(&[], 0.05).is_empty());
+    }
+}

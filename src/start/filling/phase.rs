@@ -85,3 +85,46 @@ fn smooth(level: &Level, across: &[DVec3], turn: f64, phases: &mut [DVec2]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::zero_lines;
+    use super::super::hierarchy::levels;
+    use super::super::strand::length;
+    use super::super::surface::Surface;
+    use super::super::testing::sheet;
+    use super::*;
+    use crate::mesh::Shape;
+
+    #[test]
+    fn on_a_flat_sheet_the_wave_is_a_plane_one() {
+        let surface = Surface::new(&sheet(20), 0.02).unwrap();
+        let levels = levels(&surface);
+        let values = waves(&levels, &vec![DVec3::X; surface.points.len()], 0.05, 3);
+        // cos(k y + p) for one p: its part along cos(k y) and sin(k y) has length 1.
+        let k = std::f64::consts::PI / 0.05;
+        let part = |wave: &dyn Fn(f64) -> f64| {
+            let products = values.iter().zip(&surface.points).map(|(value, point)| value * wave(k * point.y));
+            2.0 * products.sum::<f64>() / values.len() as f64
+        };
+        let found = part(&f64::cos).hypot(part(&f64::sin));
+        assert!(found > 0.98, "{found}");
+        let stretched = 1.2 * k;
+        let off = |wave: &dyn Fn(f64) -> f64| {
+            let products = values.iter().zip(&surface.points).map(|(value, point)| value * wave(stretched * point.y));
+            2.0 * products.sum::<f64>() / values.len() as f64
+        };
+        assert!(off(&f64::cos).hypot(off(&f64::sin)) < 0.3, "another wave is told apart");
+    }
+
+    #[test]
+    fn zero_lines_on_a_sphere_are_as_long_as_the_spacing_asks() {
+        let surface = Surface::new(&Shape::Sphere.mesh(), 0.05).unwrap();
+        let rings =
+            surface.normals.iter().map(|n| super::super::field::tangent(n.cross(DVec3::Y), *n)).collect::<Vec<_>>();
+        let values = waves(&levels(&surface), &rings, 0.1, 5);
+        let lines = zero_lines(&surface, &values);
+        let whole: f64 = lines.iter().map(|line| length(line)).sum();
+        assert!((surface.area() / whole / 0.1 - 1.0).abs() < 0.03, "{}", surface.area() / whole);
+    }
+}

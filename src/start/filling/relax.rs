@@ -212,3 +212,59 @@ fn for_all<T: Send>(samples: &[Sample], of: impl Fn(&Sample) -> T + Sync + Send)
 fn for_all<T>(samples: &[Sample], of: impl Fn(&Sample) -> T) -> Vec<T> {
     samples.iter().map(of).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::strand::length;
+    use super::super::testing::{circle, sheet};
+    use super::*;
+    use crate::mesh::Shape;
+
+    #[test]
+    fn samples_are_spread_by_area() {
+        let surface = Surface::new(&Shape::Creature.mesh(), 0.1).unwrap();
+        let all = samples(&surface, 0.05, 10.0);
+        let wanted = surface.area() / 0.0025 * 10.0;
+        assert!((all.len() as f64 - wanted).abs() <= 1.0);
+        let upper = all.iter().filter(|sample| sample.point.y > 0.0).count() as f64 / all.len() as f64;
+        let middle = |t: u32| surface.corners(t).iter().sum::<DVec3>().y > 0.0;
+        let area = |t: u32| surface.area_normal(t).length() / 2.0 / surface.area();
+        let share: f64 = (0..surface.triangles.len() as u32).filter(|&t| middle(t)).map(area).sum();
+        assert!((upper - share).abs() < 0.01, "{upper} of the samples on {share} of the area");
+    }
+
+    #[test]
+    fn a_ring_between_two_others_goes_to_the_middle() {
+        let surface = Surface::new(&sheet(30), 0.03).unwrap();
+        // Rings a spacing apart but for one of them.
+        let wanted = |k: usize| 0.05 * k as f64 + 0.025;
+        let ring = |k: usize| circle(&surface, [0.0, 0.0], wanted(k) + if k == 4 { 0.02 } else { 0.0 });
+        let rings: Vec<Strand> = (0..9).map(ring).collect();
+        let relaxed = relaxed(&surface, &rings, 0.05, 15, &mut |_| true).unwrap();
+        let radius = |k: usize| length(&relaxed[k]) / std::f64::consts::TAU;
+        for k in 3..6 {
+            assert!((radius(k) - wanted(k)).abs() < 0.012, "{k}: {} not {}", radius(k), wanted(k));
+        }
+        assert!(relaxed_none(&surface, &rings));
+    }
+
+    fn relaxed_none(surface: &Surface, rings: &[Strand]) -> bool {
+        relaxed(surface, rings, 0.05, 3, &mut |share| share < 0.5).is_none()
+    }
+
+    #[test]
+    fn moves_that_cross_are_taken_back() {
+        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let rings = [circle(&surface, [0.0, 0.0], 0.2), circle(&surface, [0.0, 0.0], 0.22)];
+        let mut strands = Strands::new(&rings);
+        let before = strands.nodes.clone();
+        for node in &mut strands.nodes[40..60] {
+            node.point *= 1.2;
+        }
+        strands.nodes[120].point *= 1.02;
+        assert!(!strands.crossings(0.05).is_empty());
+        undo_crossings(&mut strands, &before, 0.05);
+        assert!(strands.crossings(0.05).is_empty());
+        assert_ne!(strands.nodes[120], before[120], "what does not cross stays moved");
+    }
+}

@@ -148,3 +148,23 @@ impl Stitching {
         (ends, between)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::strand::length;
+    use super::super::testing::{circle, sheet};
+    use super::*;
+
+    #[test]
+    fn rings_become_one_line_as_long_as_they_were() {
+        let surface = Surface::new(&sheet(30), 0.025).unwrap();
+        let rings: Vec<Strand> = (1..9).map(|k| circle(&surface, [0.0, 0.0], 0.05 * f64::from(k) + 0.01)).collect();
+        let line = stitched(&surface, &rings, 0.05);
+        assert_eq!(line.len(), 1);
+        let before: f64 = rings.iter().map(|ring| length(ring)).sum();
+        assert!((length(&line[0]) / before - 1.0).abs() < 0.03, "{} from {before}", length(&line[0]));
+        assert!(Strands::new(&line).crossings(0.05).is_empty());
+        let far = [circle(&surface, [-0.3, 0.0], 0.1), circle(&surface, [0.3, 0.0], 0.1)];
+        assert_eq!(stitched(&surface, &far, 0.05).len(), 2, "what is far apart stays apart");
+    }
+}

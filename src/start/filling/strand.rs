@@ -256,3 +256,78 @@ pub fn foot(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     let squared = a.distance_squared(b);
     if squared > 0.0 { ((p - a).dot(b - a) / squared).clamp(0.0, 1.0) } else { 0.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{anywhere, circle, sheet};
+    use super::*;
+    use crate::rng::Rng;
+
+    #[test]
+    fn the_grid_finds_what_asking_everybody_finds() {
+        let mut rng = Rng::new(8, 0);
+        let points: Vec<DVec3> = (0..500).map(|_| DVec3::from(rng.in_ball(1.0))).collect();
+        let grid = Grid::new(points.iter().copied(), 0.2);
+        for _ in 0..100 {
+            let (place, radius) = (DVec3::from(rng.in_ball(1.3)), rng.range(0.01, 0.5));
+            let mut found = Vec::new();
+            grid.near(place, radius, |i, squared| {
+                assert_eq!(squared, points[i as usize].distance_squared(place));
+                found.push(i);
+            });
+            found.sort_unstable();
+            let wanted: Vec<u32> = (0..500).filter(|&i| points[i as usize].distance(place) <= radius).collect();
+            assert_eq!(found, wanted);
+            let nearest = wanted
+                .iter()
+                .copied()
+                .filter(|i| i % 2 == 0)
+                .min_by(|&a, &b| points[a as usize].distance(place).total_cmp(&points[b as usize].distance(place)));
+            assert_eq!(grid.nearest(place, radius, |i| i % 2 == 0), nearest);
+        }
+    }
+
+    #[test]
+    fn crossings_are_seen_on_one_side_only() {
+        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let rings = [circle(&surface, [-0.1, 0.0], 0.2), circle(&surface, [0.11, 0.0], 0.2)];
+        let mut strands = Strands::new(&rings);
+        assert_eq!(strands.crossings(0.05).len(), 2);
+        for node in &mut strands.nodes[200..] {
+            node.normal = -node.normal;
+        }
+        assert!(strands.crossings(0.05).is_empty(), "the other side of a wall");
+        let apart = [circle(&surface, [-0.2, 0.0], 0.2), circle(&surface, [0.21, 0.0], 0.2)];
+        assert!(Strands::new(&apart).crossings(0.05).is_empty());
+        let in_line = [[0.0, 0.0], [0.2, 0.1], [0.4, 0.2]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        assert!(!cross([in_line[0], in_line[1]], [in_line[1], in_line[2]], DVec3::Z, 1.0));
+    }
+
+    #[test]
+    fn resampling_keeps_length_and_evens_steps() {
+        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let mut line = circle(&surface, [0.0, 0.0], 0.3);
+        line.drain(20..60);
+        let even = resampled(&surface, &line, 0.01);
+        assert!((length(&even) - length(&line)).abs() < 0.01);
+        for i in 0..even.len() {
+            assert!((even[i].point.distance(even[(i + 1) % even.len()].point) - 0.01).abs() < 5e-4);
+        }
+    }
+
+    #[test]
+    fn joined_lines_are_walked_in_either_direction() {
+        let surface = Surface::new(&sheet(10), 0.1).unwrap();
+        for (beside, is_ahead) in [([201, 202], true), ([202, 201], false)] {
+            let mut strands = Strands::new(&[circle(&surface, [-0.2, 0.0], 0.1), circle(&surface, [0.2, 0.0], 0.1)]);
+            strands.join([10, 11], beside, is_ahead);
+            let lines = strands.walked(&[false; 400]);
+            assert_eq!((lines.len(), lines[0].len()), (1, 400));
+            for i in 0..400usize {
+                assert_eq!(strands.previous[strands.next[i] as usize] as usize, i);
+            }
+        }
+        let node = anywhere(&surface, DVec3::new(0.1, 0.2, 0.3));
+        assert!(node.point.distance(DVec3::new(0.1, 0.2, 0.0)) < 1e-12 && node.normal.dot(DVec3::Z).abs() > 0.999);
+    }
+}

@@ -398,3 +398,77 @@ impl Classes {
         a != b
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Shape;
+    use crate::rng::Rng;
+
+    #[test]
+    fn refining_keeps_the_surface() {
+        for (shape, longest) in [(Shape::Sphere, 0.04), (Shape::Creature, 0.02), (Shape::Torus, 0.5)] {
+            let mesh = shape.mesh();
+            let surface = Surface::new(&mesh, longest).unwrap();
+            assert!((surface.area() - mesh.area()).abs() < 1e-9 * mesh.area());
+            assert_eq!(surface.parts, 1);
+            for edge in &surface.edges {
+                let [a, b] = edge.ends.map(|v| surface.points[v as usize]);
+                assert!(a.distance(b) <= longest && !edge.is_rim(), "closed shapes stay closed");
+            }
+            assert!((surface.part_areas()[0] - surface.area()).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn three_sheets_at_an_edge_are_cut_apart() {
+        let positions = vec![[0.0, 0.0, -0.5], [0.0, 0.0, 0.5], [0.5, 0.05, 0.0], [-0.5, 0.0, 0.0], [0.0, 0.5, 0.0]];
+        let mesh = Mesh::new("fin", positions, vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]]).unwrap();
+        let surface = Surface::new(&mesh, 0.1).unwrap();
+        assert_eq!(surface.parts, 2);
+        let flat = surface.part_areas()[surface.part(0) as usize];
+        assert!((flat - 0.25 - 0.5 * 0.5f64.hypot(0.05)).abs() < 1e-9, "the two flattest stay together: {flat}");
+    }
+
+    #[test]
+    fn nearest_point_of_a_triangle_beats_every_other() {
+        let mut rng = Rng::new(3, 0);
+        let mut point = || DVec3::from(rng.in_ball(1.0));
+        for _ in 0..200 {
+            let (corners, p) = ([point(), point(), point()], point());
+            let (weights, nearest) = nearest_in_triangle(p, corners);
+            assert!(
+                weights.iter().all(|w| (0.0..=1.0).contains(w)) && (weights.iter().sum::<f64>() - 1.0).abs() < 1e-9
+            );
+            for i in 0..=20 {
+                for j in 0..=20 - i {
+                    let (u, v) = (f64::from(i) / 20.0, f64::from(j) / 20.0);
+                    let other = (1.0 - u - v) * corners[0] + u * corners[1] + v * corners[2];
+                    assert!(p.distance(nearest) <= p.distance(other) + 1e-9);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn distances_to_the_rim_are_those_of_the_square() {
+        let surface = Surface::new(&super::super::testing::sheet(20), 0.03).unwrap();
+        for (point, distance) in surface.points.iter().zip(surface.rim_distances()) {
+            let wanted = (0.5 - point.x.abs()).min(0.5 - point.y.abs());
+            assert!(distance > wanted - 1e-9 && distance < 1.2 * wanted + 0.01, "{distance} not {wanted}");
+        }
+        let sphere = Surface::new(&Shape::Sphere.mesh(), 0.1).unwrap();
+        assert!(sphere.rim_distances().iter().all(|distance| distance.is_infinite()));
+    }
+
+    #[test]
+    fn what_is_too_fine_is_refused_with_what_works() {
+        let huge: Vec<[f64; 3]> =
+            super::super::testing::sheet(1).positions().iter().map(|p| p.map(|c| 1e3 * c)).collect();
+        let mesh = Mesh::new("huge", huge, vec![[0, 1, 3]]).unwrap();
+        let error = Surface::new(&mesh, 0.03).unwrap_err().to_string();
+        assert!(error.starts_with("curve_spacing: is too fine"), "{error}");
+        let works: f64 = error.split("use ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(works > 1.0 && works < 4.0, "{works}");
+    }
+}

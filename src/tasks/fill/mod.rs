@@ -10,11 +10,13 @@ mod motif;
 
 use super::engine::engine;
 use super::fit::recipe;
-use super::run::{Placed, Seen};
+use super::run::Placed;
 use super::saved::SavedRun;
 use crate::mesh::{Depths, Mended, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
-use crate::optimize::{Problem, Session, Surface, WidthBounds, wait};
+use crate::objective::{Texture, TextureOptions, crop_weights};
+use crate::optimize::{Problem, Seen, Session, Surface, WidthBounds, wait};
+use crate::rng::Rng;
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Task};
 use crate::start::{self, FillOptions, Filling, Guide};
@@ -55,6 +57,7 @@ pub struct Plan {
     mesh: Arc<Mesh>,
     nearest: Arc<Nearest>,
     motif: Option<Arc<Motif>>,
+    texture: Option<Arc<Texture>>,
     filling: Filling,
     /// What the report compares with: the five sides.
     targets: Vec<Target>,
@@ -71,6 +74,10 @@ const FIT_SMOOTHING: f64 = 1e-6;
 const MOST_POINTS: usize = 16_000;
 /// Least and most ink of a style's blank and inked places, as shares of the density.
 const TONES: [f64; 2] = [0.2, 1.8];
+/// Crops of a view in which its texture is looked at, and their side as a share of the view's.
+const CROPS: (usize, f64) = (6, 0.4);
+/// Weight of the texture at full strength.
+const TEXTURE_WEIGHT: f64 = 0.02;
 /// Cosine between the normal and the way to the eye from which on a place faces it.
 const FACING: f64 = 0.4;
 /// Weight of the pull to the surface at 1 in the settings: strands stay within a tenth of their distance.
@@ -101,11 +108,16 @@ pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) ->
     let Some(filling) = start::fill(&given.mesh, &fill_options(motif.as_ref(), settings), progress)? else {
         return Ok(None);
     };
+    let texture = match &given.style {
+        Some(style) if settings.style_strength > 0.0 => Some(Arc::new(texture(style, settings)?)),
+        _ => None,
+    };
     let mut plan = Plan {
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
         nearest: Arc::new(Nearest::new(&given.mesh)),
         motif,
+        texture,
         notes: given.notes.iter().chain(&filling.notes).cloned().collect(),
         filling,
         targets: Vec::new(),
@@ -132,6 +144,13 @@ fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions 
 fn world_per_px(settings: &Settings) -> f64 {
     let view = &looks::sides(settings.size)[0];
     1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
+}
+
+/// The statistics of a style's picture as large as it appears in a view.
+fn texture(style: &Style, settings: &Settings) -> Result<Texture> {
+    let side = style.ink.width.min(style.ink.height).max(1) as f64;
+    let scale = settings.style_size / world_per_px(settings) / side;
+    Texture::of(&style.name, &style.ink, &TextureOptions { scale, ..TextureOptions::for_view(settings.size) })
 }
 
 /// How much a place faces the eye: 1 for most, down to 0 at the silhouette, where a motif would be finer than pixels.
@@ -192,7 +211,7 @@ impl Plan {
             (Target { view: view.clone(), ink }, occluder)
         });
         let (targets, occluders) = seen.into_iter().unzip();
-        Seen { targets, occluders }
+        Seen { targets, occluders, texture_masks: Vec::new() }
     }
 
     /// How much ink a place should have in `view`, 0 to 1.
@@ -210,7 +229,18 @@ impl Plan {
 
     /// What iteration `iteration` looks at.
     fn looked_at(&self, iteration: usize, settings: &Settings) -> Seen {
-        self.seen(looks::drawn(iteration, settings), settings)
+        let mut seen = self.seen(looks::drawn(iteration, settings), settings);
+        if self.texture.is_some() {
+            let (count, share) = CROPS;
+            let side_px = (share * settings.size as f64) as usize;
+            let mask = |(view, occluder): (usize, &Occluder)| {
+                let mut rng = Rng::new(settings.seed, 0x6372_6f70_0000_0000 + (iteration * 64 + view) as u64);
+                let inside = occluder.depth.data.iter().map(|depth| if depth.is_finite() { 1.0 } else { 0.0 });
+                crop_weights(&Image { data: inside.collect(), ..occluder.depth }, count, side_px, &mut rng)
+            };
+            seen.texture_masks = seen.occluders.iter().enumerate().map(mask).collect();
+        }
+        seen
     }
 
     /// A wire of even width along the curve.
@@ -244,13 +274,16 @@ impl Plan {
 
     /// The fit of `wire` from iteration `iteration` on.
     fn problem(&self, wire: Wire, iteration: usize, settings: &Settings) -> Problem {
-        let Seen { targets, occluders } = self.looked_at(iteration, settings);
+        let Seen { targets, occluders, texture_masks } = self.looked_at(iteration, settings);
         let share = 1.0 / targets.len() as f64;
         Problem {
             view_weights: vec![share; targets.len()],
             width: width_bounds(settings),
             seed: settings.seed,
             occluders,
+            texture: self.texture.clone(),
+            texture_weight: TEXTURE_WEIGHT * settings.style_strength,
+            texture_masks,
             surface: Some(Surface {
                 nearest: Arc::clone(&self.nearest),
                 weight: SURFACE_WEIGHT * settings.surface_pull,

@@ -6,9 +6,11 @@ use glam::DVec2;
 /// A point of a stroke and the stroke's width there, both in tiles.
 pub(super) type Nib = (DVec2, f64);
 
-/// The sheet is one tile wide and high; y points down.
+/// The sheet is one tile wide and high; y points down. What reaches over a border comes in at the other, or is cut off:
+/// then it is for the painter to paint what comes in, so that it lies before and behind what it should.
 pub(super) struct Canvas {
     image: Image,
+    cut: bool,
     /// How much of each pixel the present shape covers, where [`Canvas::touched`] says so.
     cover: Vec<f32>,
     touched: Vec<usize>,
@@ -16,7 +18,17 @@ pub(super) struct Canvas {
 
 impl Canvas {
     pub(super) fn new(size_px: usize) -> Canvas {
-        Canvas { image: Image::new(size_px, size_px), cover: vec![0.0; size_px * size_px], touched: Vec::new() }
+        Canvas {
+            image: Image::new(size_px, size_px),
+            cut: false,
+            cover: vec![0.0; size_px * size_px],
+            touched: Vec::new(),
+        }
+    }
+
+    /// From now on cuts off what reaches over a border.
+    pub(super) fn cut(&mut self) {
+        self.cut = true;
     }
 
     pub(super) fn into_image(self) -> Image {
@@ -73,8 +85,10 @@ impl Canvas {
         if size == 0 {
             return;
         }
-        let pixels =
-            |low: f64, high: f64| (low * size as f64 - 1.0).floor() as i64..(high * size as f64 + 1.0).ceil() as i64;
+        let pixels = |low: f64, high: f64| {
+            let (low, high) = ((low * size as f64 - 1.0).floor() as i64, (high * size as f64 + 1.0).ceil() as i64);
+            if self.cut { low.max(0)..high.min(size) } else { low..high }
+        };
         for y in pixels(low.y, high.y) {
             for x in pixels(low.x, high.x) {
                 let at = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) / size as f64;

@@ -72,7 +72,7 @@ pub(super) fn leaves(canvas: &mut Canvas) {
             let side = if i % 2 == 0 { 1.0 } else { -1.0 };
             let up = (stem(s + 0.01) - stem(s - 0.01)).normalize();
             let out = DVec2::from_angle(side * 0.95).rotate(up);
-            leaf(canvas, stem(s), out, 0.235, side);
+            leaf(canvas, stem(s), out, 0.26, side);
             // A tendril on the other side, a little higher.
             tendril(canvas, stem(s + 0.035), DVec2::from_angle(-side * 0.7).rotate(up), -side);
         }
