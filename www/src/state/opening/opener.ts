@@ -108,7 +108,8 @@ export class Opener {
     const { FILL_COVER, fillCode } = await import("../example/fill");
     const code = await fillCode();
     if (this.tooLate("fill")) return;
-    const showing = code ? this.code(code, "fill", { source: "example", measured: [] }) : null;
+    // First, so that no curve is sought for what is about to have a wire.
+    const showing = this.code(code, "fill", { source: "example", measured: [] });
     this.bench.project.amend((doc) => (untouched(doc, "fill") ? { ...doc, cover: FILL_COVER } : doc));
     this.asItCame("fill", FILL_COVER);
     await showing;

@@ -133,6 +133,11 @@ export class FillChoices extends Part {
         .laying {
           grid-column: 1 / -1;
         }
+        .run {
+          display: grid;
+          align-content: start;
+          gap: 4px;
+        }
       }
     `,
   ];

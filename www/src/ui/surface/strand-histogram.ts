@@ -22,6 +22,7 @@ export class StrandHistogram extends Part {
       svg {
         display: block;
         width: 100%;
+        max-height: 72px;
         overflow: visible;
       }
       rect {
@@ -51,7 +52,7 @@ export class StrandHistogram extends Part {
     const near = strands.reduce((sum, share, k) => sum + (k >= 7 && k < 14 ? share : 0), 0);
     const words = `From line to line: ${percent(near)} of the wire is as far from its neighbour as it should be, give or take a third.`;
     return html`<figure>
-      <svg viewBox="0 -2 ${WIDTH} ${HEIGHT + 4}" role="img" aria-label=${words}>
+      <svg viewBox="0 -2 ${WIDTH} ${HEIGHT + 4}" preserveAspectRatio="none" role="img" aria-label=${words}>
         ${strands.map((share, k) => svg`<rect x=${k * step + 0.5} y=${HEIGHT * (1 - share / most)} width=${step - 1} height=${(HEIGHT * share) / most} />`)}
         <path class="ground" d="M0 ${HEIGHT}H${WIDTH}" />
         <path class="asked" d="M${10 * step} 0V${HEIGHT}" />

@@ -26,7 +26,12 @@ export class SurfaceResult extends Part {
     smallStyle,
     css`
       :host {
+        display: block;
+        container-type: inline-size;
+      }
+      .all {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 8px;
       }
       /* Kept free: nothing below moves when there is something to say. */
@@ -60,6 +65,12 @@ export class SurfaceResult extends Part {
         border: 0;
         border-radius: 0;
         background: none;
+      }
+      /* A wide sheet. */
+      @container (min-width: 480px) {
+        ul {
+          grid-template-columns: repeat(5, minmax(0, 1fr));
+        }
       }
       .words {
         display: block;
@@ -96,7 +107,7 @@ export class SurfaceResult extends Part {
     const { track, looking } = this.state;
     const made = this.measured();
     const surface = made?.finished.measures.surface ?? null;
-    return html`
+    return html`<div class="all">
       <h2>Cover</h2>
       <p class="verdict small">${this.sentence(made)}</p>
       ${made?.finished.shown?.length ? this.pictures(made) : nothing}
@@ -110,7 +121,7 @@ export class SurfaceResult extends Part {
         .iterations=${track?.iterations ?? 0}
         .at=${looking === null ? null : (track?.snapshots[looking]?.iteration ?? null)}
       ></loss-curve>
-    `;
+    </div>`;
   }
 
   /** As the result of pictures has it; here all pictures are of the finished wire. */
