@@ -12,6 +12,8 @@ const CROWDED = 0.03;
 /** In hundredths of the shape's size, which is two units. */
 export const worldLength = (world: number): string => `${(50 * world).toFixed(1)}%`;
 
+const styled = ({ track }: Made): boolean => track?.given.job === "fill" && track.given.cover.style !== null;
+
 export function covered(made: Made): string {
   const { measures } = made.finished;
   const { surface } = measures;
@@ -25,7 +27,7 @@ export function covered(made: Made): string {
     `Every spot is within ${worst} of the shape’s size of the wire${apart ? "" : ", which is one closed loop"}.`,
     apart,
     surface.drift_max > SEEN_WORLD ? `It leaves the surface by up to ${worldLength(surface.drift_max)}: less style, or a stronger pull to the surface, keeps it there.` : "",
-    surface.crowded > CROWDED ? `Along ${percent(surface.crowded)} of it, lines come close to each other.` : "",
+    surface.crowded > CROWDED ? `Along ${percent(surface.crowded)} of it, ${styled(made) ? "the style draws lines close together" : "lines come close to each other"}.` : "",
     made.stopped ? "It was stopped early: going on may still help." : "",
   ];
   return sentences.filter(Boolean).join(" ");
