@@ -1,7 +1,7 @@
 //! A finished wire: shown, measured, saved and shared.
 
 use super::json;
-use super::pictures::ViewTarget;
+use super::pictures::{Ink, ViewTarget};
 use crate::Error;
 use crate::export::{self, ExportOptions, Format};
 use crate::metrics::ResultReport;
@@ -37,18 +37,24 @@ impl WireData {
 pub struct Made {
     sculpture: Sculpture,
     targets: Vec<ViewTarget>,
+    shown: Vec<Ink>,
     result: ResultReport,
 }
 
 impl Made {
     pub(super) fn new(sculpture: Sculpture, targets: Vec<ViewTarget>, result: ResultReport) -> Made {
-        Made { sculpture, targets, result }
+        Made { sculpture, targets, shown: Vec::new(), result }
+    }
+
+    /// With what each view shows of it as the fit sees it.
+    pub(super) fn with_shown(self, shown: Vec<Ink>) -> Made {
+        Made { shown, ..self }
     }
 
     /// Without drawings to compare with.
     fn alone(sculpture: Sculpture) -> Made {
         let result = ResultReport::measure(&sculpture, &[]);
-        Made { sculpture, targets: Vec::new(), result }
+        Made::new(sculpture, Vec::new(), result)
     }
 }
 
@@ -93,6 +99,17 @@ impl Made {
     /// A view's target.
     pub fn target(&self, index: usize) -> ViewTarget {
         self.targets[index].clone()
+    }
+
+    /// Number of pictures of what its views show; none where nothing hides any of it.
+    #[wasm_bindgen(getter)]
+    pub fn shown_count(&self) -> usize {
+        self.shown.len()
+    }
+
+    /// What a view shows of it, in the order of the views.
+    pub fn shown(&self, index: usize) -> Ink {
+        self.shown[index].clone()
     }
 
     /// The wire.json file.

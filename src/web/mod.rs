@@ -6,6 +6,7 @@ mod pictures;
 mod preview;
 mod run;
 mod subject;
+mod surface;
 
 use crate::settings::{Kind, Preset, Setting, Settings, Task};
 use crate::{Error, Result};
@@ -18,7 +19,7 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// The settings table of a task, `multiview` or `stroke`, and each preset's values, as JSON.
+/// The settings table of a task, `multiview`, `stroke` or `fill`, and each preset's values, as JSON.
 #[wasm_bindgen]
 pub fn settings_table(task: &str) -> Result<String, JsError> {
     let task = task_of(task)?;
@@ -34,7 +35,8 @@ fn task_of(word: &str) -> Result<Task> {
     match word {
         "multiview" => Ok(Task::Multiview),
         "stroke" => Ok(Task::Stroke),
-        _ => Err(Error::setting("task", format!("there is none called {word:?}"), "give multiview or stroke")),
+        "fill" => Ok(Task::Fill),
+        _ => Err(Error::setting("task", format!("there is none called {word:?}"), "give multiview, stroke or fill")),
     }
 }
 

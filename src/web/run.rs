@@ -1,31 +1,34 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
 use super::made::{Made, WireData};
-use super::pictures::{DrawingSet, ViewTarget};
+use super::pictures::{DrawingSet, Ink, ViewTarget};
 use super::subject::Subject;
+use super::surface::Surface;
 use super::{json, parse_settings};
 use crate::Result;
 use crate::optimize::Session;
 use crate::settings::{Settings, Task};
-use crate::tasks::{multiview, stroke};
+use crate::tasks::{fill, multiview, stroke};
 use crate::view::{Image, Target};
 use wasm_bindgen::prelude::*;
 
 /// Iterations after which the page is asked whether to go on at all.
 const MOST_AT_ONCE: usize = 64;
 
-/// A fit of either task.
+/// A fit of any task.
 enum Fit {
     Multiview(multiview::Run),
     Stroke(stroke::Run),
+    Fill(fill::Run),
 }
 
-/// `$body` with `$run` for the run of either task.
-macro_rules! either {
+/// `$body` with `$run` for the run of any task.
+macro_rules! any {
     ($fit:expr, $run:ident => $body:expr) => {
         match $fit {
             Fit::Multiview($run) => $body,
             Fit::Stroke($run) => $body,
+            Fit::Fill($run) => $body,
         }
     };
 }
@@ -62,6 +65,17 @@ impl Ears<'_> {
         let plan = stroke::plan(subject.given(), settings)?;
         plan.notes().iter().for_each(|words| self.note(words));
         self.tell("Drawing its lines…", 0.5);
+        Ok(plan)
+    }
+
+    fn surface(&self, surface: &mut Surface, settings: &Settings) -> Result<fill::Plan> {
+        let words = "Laying one line over the shape…";
+        self.tell(words, 0.0);
+        let plan = surface.plan(settings, &mut |share| {
+            self.tell(words, share);
+            true
+        })?;
+        plan.notes().iter().for_each(|words| self.note(words));
         Ok(plan)
     }
 }
@@ -131,12 +145,37 @@ impl Run {
         Ok(Run(Fit::Stroke(stroke::Run::resume_async(plan, &settings, checkpoint).await?)))
     }
 
+    /// Lays the first wire over a shape.
+    pub async fn start_fill(
+        surface: &mut Surface,
+        settings: &str,
+        tell: &js_sys::Function,
+        note: &js_sys::Function,
+    ) -> Result<Run, JsError> {
+        let settings = parse_settings(Task::Fill, settings)?;
+        let plan = Ears { tell, note }.surface(surface, &settings)?;
+        Ok(Run(Fit::Fill(fill::Run::start_async(plan, &settings).await?)))
+    }
+
+    /// Goes on from a checkpoint of a run of the same shape.
+    pub async fn resume_fill(
+        surface: &mut Surface,
+        settings: &str,
+        checkpoint: &[u8],
+        tell: &js_sys::Function,
+        note: &js_sys::Function,
+    ) -> Result<Run, JsError> {
+        let settings = parse_settings(Task::Fill, settings)?;
+        let plan = Ears { tell, note }.surface(surface, &settings)?;
+        Ok(Run(Fit::Fill(fill::Run::resume_async(plan, &settings, checkpoint).await?)))
+    }
+
     fn session(&self) -> &Session {
-        either!(&self.0, run => run.session())
+        any!(&self.0, run => run.session())
     }
 
     fn targets(&self) -> &[Target] {
-        either!(&self.0, run => run.targets())
+        any!(&self.0, run => run.targets())
     }
 
     /// Up to `count` more iterations; what happened, as JSON. Returns early when the fit moves elsewhere: so many may take
@@ -146,7 +185,7 @@ impl Run {
         let mut events = Vec::new();
         while self.iteration() < end.min(self.iterations()) && self.session().place().backend == backend {
             let at_once = MOST_AT_ONCE.min(end - self.iteration());
-            events.extend(either!(&mut self.0, run => run.step_async(at_once).await));
+            events.extend(any!(&mut self.0, run => run.step_async(at_once).await));
         }
         json(&events)
     }
@@ -171,7 +210,7 @@ impl Run {
     /// Mean over the views of how far each is from its target, as last seen; not a number before the first iteration.
     #[wasm_bindgen(getter)]
     pub fn loss(&self) -> f32 {
-        let views = self.targets().len();
+        let views = self.session().problem().targets.len();
         let last = self.session().history().rows().next_back();
         // Columns: total, each view's, the wire's own.
         last.map_or(f32::NAN, |row| row[1..=views].iter().sum::<f32>() / views as f32)
@@ -182,9 +221,9 @@ impl Run {
         WireData(self.session().wire())
     }
 
-    /// The whole state, for [`Run::resume`] or [`Run::resume_stroke`].
+    /// The whole state, for [`Run::resume`], [`Run::resume_stroke`] or [`Run::resume_fill`].
     pub fn checkpoint(&self) -> Vec<u8> {
-        either!(&self.0, run => run.checkpoint())
+        any!(&self.0, run => run.checkpoint())
     }
 
     /// Number of views.
@@ -200,19 +239,27 @@ impl Run {
 
     /// View `index` with `ink` for what it should show.
     fn target_as(&self, index: usize, ink: &Image) -> ViewTarget {
-        ViewTarget::new(either!(&self.0, run => run.placed(index)), ink)
+        ViewTarget::new(any!(&self.0, run => run.placed(index)), ink)
     }
 
     /// The best wire so far, measured. Its targets are the drawings as they were bent.
     pub fn finish(&self) -> Made {
         let bent = match &self.0 {
             Fit::Multiview(run) => run.bent(),
-            Fit::Stroke(_) => None,
+            Fit::Stroke(_) | Fit::Fill(_) => None,
         };
         let targets = match bent {
             None => (0..self.target_count()).map(|index| self.target(index)).collect(),
             Some(bent) => bent.iter().enumerate().map(|(index, (image, _))| self.target_as(index, image)).collect(),
         };
-        either!(&self.0, run => Made::new(run.sculpture(), targets, run.result()))
+        let made = any!(&self.0, run => Made::new(run.sculpture(), targets, run.result()));
+        match &self.0 {
+            Fit::Fill(run) => {
+                let wire = run.session().best();
+                let shown = |view| Ink::new(&run.draw(&wire, view));
+                made.with_shown((0..run.targets().len()).map(shown).collect())
+            }
+            _ => made,
+        }
     }
 }

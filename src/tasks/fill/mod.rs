@@ -97,19 +97,35 @@ impl Given {
     pub fn shape(shape: Shape) -> Given {
         Given { name: shape.name().into(), mesh: Arc::new(shape.mesh()), notes: Vec::new(), style: None }
     }
+
+    fn motif(&self, settings: &Settings) -> Option<Arc<Motif>> {
+        self.style.as_ref().map(|style| Arc::new(Motif::new(style, settings)))
+    }
 }
 
-/// Covers the mesh. `progress` is told how much is done, 0 to 1, and stops it by returning
+/// Covers the mesh and says what it should show. `progress` is told how much is done, 0 to 1, and stops it by returning
 /// false: then there is no plan.
 ///
 /// # Errors
-/// [`Error::Setting`] for a spacing too fine for this mesh, [`Error::Picture`] for a style that shows nothing.
+/// As [`cover`] and [`plan_over`].
 pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Option<Plan>> {
+    cover(given, settings, progress)?.map(|filling| plan_over(given, filling, settings)).transpose()
+}
+
+/// The curve alone, which many settings have in common. `progress` as in [`plan`].
+///
+/// # Errors
+/// [`Error::Setting`] for a spacing too fine for this mesh.
+pub fn cover(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Option<Filling>> {
     Task::Fill.check(settings)?;
-    let motif = given.style.as_ref().map(|style| Arc::new(Motif::new(style, settings)));
-    let Some(filling) = start::fill(&given.mesh, &fill_options(motif.as_ref(), settings), progress)? else {
-        return Ok(None);
-    };
+    start::fill(&given.mesh, &fill_options(given.motif(settings).as_ref(), settings), progress)
+}
+
+/// What a curve that [`cover`] gave for this mesh should show.
+///
+/// # Errors
+/// [`Error::Picture`] for a style that shows nothing.
+pub fn plan_over(given: &Given, filling: Filling, settings: &Settings) -> Result<Plan> {
     let texture = match &given.style {
         Some(style) if settings.style_strength > 0.0 => Some(Arc::new(texture(style, settings)?)),
         _ => None,
@@ -118,14 +134,14 @@ pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) ->
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
         nearest: Arc::new(Nearest::new(&given.mesh)),
-        motif,
+        motif: given.motif(settings),
         texture,
         notes: given.notes.iter().chain(&filling.notes).cloned().collect(),
         filling,
         targets: Vec::new(),
     };
     plan.targets = plan.seen(looks::sides(settings.size), settings).targets;
-    Ok(Some(plan))
+    Ok(plan)
 }
 
 fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions {

@@ -26,6 +26,9 @@ export const DIRECTIONS = {
   room: { azimuthRad: 0.7, elevationRad: 0.4, fovYRad: USUAL_RAD },
   front: { azimuthRad: 0, elevationRad: 0, fovYRad: NARROW_RAD },
   side: { azimuthRad: QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
+  right: { azimuthRad: QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
+  back: { azimuthRad: 2 * QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
+  left: { azimuthRad: -QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
   top: { azimuthRad: 0, elevationRad: QUARTER, fovYRad: NARROW_RAD },
 } as const satisfies Readonly<Record<string, Direction>>;
 

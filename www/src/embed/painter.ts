@@ -1,5 +1,6 @@
 /** Everything that lives on the graphics card: the tube, its three shadows and the walls they fall on. */
 
+import { Body, type BodyShape } from "./body";
 import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
 import type { Look } from "./looks";
 import { orthographic, type Mat4, type Vec3 } from "./matrix";
@@ -33,6 +34,7 @@ export class Painter {
   private readonly soften: Program;
   private readonly wall: Program;
   private readonly rings: NumberTexture;
+  private readonly body: Body;
   /** What throws one shadow after the other, and the three of them. */
   private readonly caster: SoftTexture;
   private readonly shadows: readonly SoftTexture[];
@@ -46,6 +48,7 @@ export class Painter {
     this.soften = new Program(gl, SOFTEN_VERTEX, SOFTEN_FRAGMENT);
     this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
     this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
+    this.body = new Body(gl);
     this.caster = new SoftTexture(gl, SHADOW_SIZE);
     this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
   }
@@ -61,6 +64,11 @@ export class Painter {
     this.radius = sum > 0 ? squares / sum : 0;
     const rows = Math.ceil(count / RINGS_A_ROW);
     if (rows > 0) this.rings.write(data.subarray(0, rows * RINGS_A_ROW * RING_FLOATS), rows);
+  }
+
+  /** What the wire covers. */
+  loadBody(shape: BodyShape | null): void {
+    this.body.load(shape);
   }
 
   castShadows(): void {
@@ -86,14 +94,18 @@ export class Painter {
     });
   }
 
-  /** `back` points from the target to the eye; `hasty` is for machines that cannot keep up. */
-  paint(camera: Camera, back: Vec3, look: Look, width: number, height: number, hasty: boolean): void {
+  /**
+   * `back` points from the target to the eye; `through` shows the wire behind the body as well; `hasty` is for machines
+   * that cannot keep up.
+   */
+  paint(camera: Camera, back: Vec3, look: Look, width: number, height: number, through: boolean, hasty: boolean): void {
     const { gl, tube } = this;
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     if (look.room) this.paintWalls(camera.clipFromWorld, back, look);
     gl.enable(gl.DEPTH_TEST);
+    this.body.paint(camera, look, through);
     tube.use();
     gl.uniform3fv(tube.at("ramp"), look.ramp.flatMap(linear));
     gl.uniform3fv(tube.at("sky"), linear(look.sky));

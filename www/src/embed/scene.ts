@@ -3,6 +3,7 @@
  * when something changed. Touches nothing of a page but the canvas, so that it can be in a worker.
  */
 
+import { boundsOf, type BodyShape } from "./body";
 import { Easel } from "./easel";
 import { tonesOf, type Look } from "./looks";
 import type { Vec3 } from "./matrix";
@@ -13,6 +14,8 @@ import { buildRings } from "./tube";
 
 /** About as many samples in all as a screen can tell apart. */
 const SAMPLES = 2600;
+/** The same where a wire turns again and again to cover a body. */
+const SAMPLES_ON_BODY = 8000;
 const MAX_DENSITY = 2;
 const FLIGHT_MS = 650;
 const STEP_MS = 220;
@@ -40,6 +43,8 @@ const SWAY_ONSET_S = 4;
 const SHADOW_HALF = 0.8;
 const ROOM_SHARE = 0.94;
 const VIEW_SHARE = 0.84;
+/** Bodies reach farther than the wires that a room is made for. */
+const ROOM_SHARE_OF_BODIES = 0.82;
 const MAX_PICTURE_PX = 4096;
 
 export class StageUnavailable extends Error {}
@@ -61,6 +66,8 @@ export class Scene {
   private stale = true;
   private wire: WireShape | null = null;
   private wireStale = true;
+  private body: BodyShape | null = null;
+  private through = false;
   private loads = 0;
   /** Corners of the box round the wire. */
   private box: readonly Vec3[] = cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]);
@@ -123,6 +130,23 @@ export class Scene {
     if (wire?.controlPoints.length !== this.wire?.controlPoints.length) this.loads = 0;
     this.wire = wire;
     this.wireStale = true;
+    this.invalidate();
+  }
+
+  /** What the wire covers: a solid that hides what is behind it. */
+  setBody(body: BodyShape | null): void {
+    this.body = body;
+    // On a body it is sampled more finely.
+    this.wireStale = true;
+    this.painter.loadBody(body);
+    if (body && !this.wire) this.box = cornersOf(...boundsOf(body));
+    if (this.view === "room" && !this.touring) this.go("room", FLIGHT_MS);
+    this.invalidate();
+  }
+
+  /** Whether the wire is seen through the body. */
+  seeThrough(through: boolean): void {
+    this.through = through;
     this.invalidate();
   }
 
@@ -217,6 +241,7 @@ export class Scene {
 
   private readonly restored = (): void => {
     this.painter = new Painter(this.gl);
+    this.painter.loadBody(this.body);
     this.easel = new Easel(this.gl);
     this.wireStale = true;
     this.events.lost(false);
@@ -233,7 +258,7 @@ export class Scene {
 
   private poseOf(vantage: Vantage, aspect: number): Pose {
     const room = vantage === "room" && this.look.room;
-    return framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? ROOM_SHARE : VIEW_SHARE);
+    return framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? (this.body ? ROOM_SHARE_OF_BODIES : ROOM_SHARE) : VIEW_SHARE);
   }
 
   /** The same frame, seen from where the swaying camera is. */
@@ -367,7 +392,7 @@ export class Scene {
   }
 
   private perSpan(wire: WireShape): number {
-    const fine = samplesPerSpan(wire, SAMPLES);
+    const fine = samplesPerSpan(wire, this.body ? SAMPLES_ON_BODY : SAMPLES);
     return this.fineness < 1 ? Math.max(1, fine >> 1) : fine;
   }
 
@@ -380,7 +405,7 @@ export class Scene {
   private paint(width: number, height: number, pose: Pose): void {
     this.paintedMs = performance.now();
     this.easel.draw(width, height, () =>
-      this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.fineness < 1),
+      this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.through, this.fineness < 1),
     );
   }
 }

@@ -130,6 +130,42 @@ void main() {
   colour = vec4(pow(light, vec3(1.0 / 2.2)), 1.0);
 }`;
 
+/** A solid's surface, a little farther away than it is. */
+export const BODY_VERTEX = `#version 300 es
+precision highp float;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 corner;
+uniform mat4 clipFromWorld;
+uniform vec3 eye;
+uniform float behind;
+out vec3 normal;
+out vec3 towards;
+void main() {
+  towards = normalize(eye - position);
+  normal = corner;
+  gl_Position = clipFromWorld * vec4(position - towards * behind, 1.0);
+}`;
+
+/** Clay in the tone of the walls, darker where it turns away. */
+export const BODY_FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 normal;
+in vec3 towards;
+uniform vec3 lit;
+uniform vec3 wall;
+uniform vec3 shadow;
+out vec4 colour;
+void main() {
+  vec3 v = normalize(towards);
+  vec3 n = normalize(normal + vec3(0.0, 0.0, 1e-9));
+  n = dot(n, v) < 0.0 ? -n : n;
+  float above = 0.5 + 0.5 * dot(n, normalize(vec3(0.25, 0.8, 0.5)));
+  float facing = smoothstep(0.0, 0.75, dot(n, v));
+  vec3 clay = mix(mix(wall, shadow, 0.2), mix(lit, wall, 0.35), above * above);
+  clay = mix(mix(clay, shadow, 0.22), clay, facing);
+  colour = vec4(pow(clay, vec3(1.0 / 2.2)), 1.0);
+}`;
+
 /** One wall of the room: plain, a soft shadow on it, and gone where the room ends. */
 export const WALL_VERTEX = `#version 300 es
 precision highp float;

@@ -4,6 +4,7 @@
  */
 
 import { inPage, inWorker, type Backstage } from "./backstage";
+import type { BodyShape } from "./body";
 import { listen } from "./controls";
 import type { Look } from "./looks";
 import type { Vantage } from "./orbit";
@@ -58,6 +59,16 @@ export class Stage {
 
   setWire(wire: WireShape | null): void {
     this.backstage.act("setWire", wire);
+  }
+
+  /** What the wire covers: a solid that hides what is behind it. */
+  setBody(body: BodyShape | null): void {
+    this.backstage.act("setBody", body);
+  }
+
+  /** Whether the wire is seen through the body. */
+  seeThrough(through: boolean): void {
+    this.backstage.act("seeThrough", through);
   }
 
   setLook(look: Look): void {

@@ -44,6 +44,11 @@ export class EngineClient {
     this.start();
   }
 
+  /** The same, unless others would lose their answers, too. */
+  cancelIfAlone(): void {
+    if (this.waiting.size === 1) this.cancel();
+  }
+
   /** A worker where the browser allows one. One that turns out not to load is dropped; the next call tries again. */
   private start(): Worker | null {
     let worker: Worker;

@@ -3,15 +3,18 @@
 import type { WireShape } from "../embed/shape";
 import type {
   Backend,
+  Covered,
   Drawing,
   ExportFormat,
   Finished,
   FoundInk,
   FoundObject,
+  FoundSurface,
   Frame,
   Ink,
   Job,
   Measures,
+  PatternName,
   Picture,
   Place,
   Placed,
@@ -21,6 +24,7 @@ import type {
   SettingsTable,
   SettingsTables,
   SettingValues,
+  ShapeName,
   Sitter,
   Snapshot,
   Target,
@@ -50,6 +54,16 @@ export interface CoreRun {
   targets(): Target[];
   /** The best wire so far, measured. */
   finish(): Finished;
+  free(): void;
+}
+
+/** A shape to be covered. It keeps its last curve. */
+export interface CoreSurface {
+  found(): FoundSurface;
+  /** What the wire should look like from now on. */
+  dress(style: Covered["style"]): void;
+  curve(settings: SettingValues, tell: (share: number) => void): OwnShape;
+  start(settings: SettingValues, from: Bytes | null, ears: Ears): Promise<CoreRun>;
   free(): void;
 }
 
@@ -84,7 +98,7 @@ async function load(): Promise<typeof core> {
 const core = {
   settings(): SettingsTables {
     const table = (job: Job): SettingsTable => JSON.parse(wasm.settings_table(job)) as SettingsTable;
-    return { multiview: table("multiview"), stroke: table("stroke") };
+    return { multiview: table("multiview"), stroke: table("stroke"), fill: table("fill") };
   },
 
   place: async (backend: Backend): Promise<Place> => JSON.parse(await wasm.place(backend)) as Place,
@@ -114,7 +128,13 @@ const core = {
     }));
   },
 
-  async start(work: Work, settings: SettingValues, from: Bytes | null, { tell, note }: Ears): Promise<CoreRun> {
+  shape: (shape: ShapeName): CoreSurface => covering(wasm.Surface.built_in(shape)),
+
+  mesh: (name: string, file: Bytes): CoreSurface => covering(wasm.Surface.open(name, file)),
+
+  pattern: (pattern: PatternName, sidePx: number): Ink => ink(wasm.pattern(pattern, sidePx)),
+
+  async start(work: Exclude<Work, { job: "fill" }>, settings: SettingValues, from: Bytes | null, { tell, note }: Ears): Promise<CoreRun> {
     const given = JSON.stringify(settings);
     if (work.job === "stroke") {
       const subject = sitter(work.subject);
@@ -172,6 +192,28 @@ function bytesOf({ rgba }: Picture): Uint8Array {
   return new Uint8Array(rgba.buffer, rgba.byteOffset, rgba.byteLength);
 }
 
+function covering(surface: wasm.Surface): CoreSurface {
+  return {
+    found: () => ({
+      positions: surface.positions() as FoundSurface["positions"],
+      indices: surface.indices() as FoundSurface["indices"],
+      triangles: surface.triangle_count,
+      notes: JSON.parse(surface.notes()) as string[],
+    }),
+    dress(style) {
+      if (!style) surface.clear_style();
+      else if (typeof style === "string") surface.set_pattern(style);
+      else surface.set_style(style.name, style.width, style.height, bytesOf(style));
+    },
+    curve: (settings, tell) => shape(surface.curve(JSON.stringify(settings), tell)),
+    async start(settings, from, { tell, note }) {
+      const given = JSON.stringify(settings);
+      return pulled(await (from ? wasm.Run.resume_fill(surface, given, from, tell, note) : wasm.Run.start_fill(surface, given, tell, note)));
+    },
+    free: () => surface.free(),
+  };
+}
+
 function pulled(run: wasm.Run): CoreRun {
   const frame = () => ({ wire: shape(run.wire()), iteration: run.iteration, iterations: run.iterations, loss: run.loss });
   return {
@@ -196,6 +238,7 @@ function finished(made: wasm.Made): Finished {
     wire: shape(made.wire()),
     views: JSON.parse(made.views()) as View[],
     targets: targets(made),
+    shown: Array.from({ length: made.shown_count }, (_, index) => ink(made.shown(index))),
     measures: JSON.parse(made.result()) as Measures,
     file: own(made.file()),
     code: made.share_code(),

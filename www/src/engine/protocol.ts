@@ -55,8 +55,8 @@ export interface Drawing extends Ink {
   readonly name: string;
 }
 
-/** What the app can do: several drawings to one wire, or one picture to a wire in the round. */
-export const JOBS = ["multiview", "stroke"] as const;
+/** What the app can do: several drawings to one wire, one picture to a wire in the round, or a wire that covers a shape. */
+export const JOBS = ["multiview", "stroke", "fill"] as const;
 export type Job = (typeof JOBS)[number];
 
 /** One picture as it goes into a run. */
@@ -68,8 +68,40 @@ export interface Sitter {
   readonly depth: Picture | null;
 }
 
+/** Shapes and styles by formula, by the core's words, in the order people are shown. */
+export const SHAPES = ["sphere", "torus", "knot", "vase", "creature"] as const;
+export type ShapeName = (typeof SHAPES)[number];
+export const PATTERNS = ["petals", "waves", "calligraphy", "scales", "leaves"] as const;
+export type PatternName = (typeof PATTERNS)[number];
+
+/** What is to be covered: a shape by formula, or a file; `key` tells one file from every other, also from its namesakes. */
+export type Solid = { readonly shape: ShapeName } | { readonly key: string; readonly name: string; readonly file: Blob };
+
+/** What a run covers, and the picture whose look the wire takes on. */
+export interface Covered {
+  readonly solid: Solid;
+  readonly style: PatternName | Picture | null;
+}
+
+/** Triangles of a surface. */
+export interface Body {
+  /** x, y, z for each corner, world units; the whole fits the unit ball. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** Three corners a triangle, counter-clockwise from outside. */
+  readonly indices: Uint32Array<ArrayBuffer>;
+}
+
+export interface FoundSurface extends Body {
+  readonly triangles: number;
+  /** What was mended about it, in sentences. */
+  readonly notes: readonly string[];
+}
+
 /** What a run is about. */
-export type Work = { readonly job: "multiview"; readonly drawings: readonly Drawing[] } | { readonly job: "stroke"; readonly subject: Sitter };
+export type Work =
+  | { readonly job: "multiview"; readonly drawings: readonly Drawing[] }
+  | { readonly job: "stroke"; readonly subject: Sitter }
+  | { readonly job: "fill"; readonly covered: Covered };
 
 /** How a drawing was laid into a view. */
 export interface Placed {
@@ -176,6 +208,8 @@ export interface Finished {
   readonly views: readonly View[];
   /** As bent, where they were; empty for a wire from a link: the pictures are not in it. */
   readonly targets: readonly Target[];
+  /** What each view shows of it as the fit sees it, where a surface hides what is behind; else empty. */
+  readonly shown: readonly Ink[];
   readonly measures: Measures;
   /** The wire.json: exports start from it. */
   readonly file: Uint8Array<ArrayBuffer>;
@@ -195,6 +229,25 @@ export interface Measures {
   /** World units. */
   readonly min_width: number;
   readonly max_width: number;
+  /** Of a wire that covers a shape. */
+  readonly surface?: SurfaceMeasures | null;
+}
+
+/** How evenly a wire covers a shape. */
+export interface SurfaceMeasures {
+  /** From line to line, as it was asked for, world units. */
+  readonly spacing: number;
+  /** From places of the surface to the wire, in spacings: the mean, what 99 of 100 are nearer than, the farthest. */
+  readonly mean: number;
+  readonly p99: number;
+  readonly worst: number;
+  /** How far it is off the surface, world units. */
+  readonly drift_mean: number;
+  readonly drift_max: number;
+  /** Share of the wire by the distance to the nearest other line: number `k` from `k / 10` spacings on. */
+  readonly strands: readonly number[];
+  /** Share of the wire that is nearer than half a spacing to another line. */
+  readonly crowded: number;
 }
 
 export interface ViewMeasures {
@@ -212,7 +265,7 @@ export interface ViewMeasures {
 /** A row of the core's settings table. */
 export interface SettingRow {
   readonly name: string;
-  readonly group: "run" | "wire" | "views" | "fit" | "stroke" | "expert";
+  readonly group: "run" | "wire" | "views" | "fit" | "stroke" | "surface" | "expert";
   readonly unit: string;
   readonly help: string;
   readonly kind: "integer" | "number" | "choice" | "switch";
@@ -246,6 +299,12 @@ export interface Calls {
   preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
   /** The object in a picture: the `object`-th of several, the largest is 1. Refused with a sentence if there is none. */
   find: { arguments: { picture: Picture; object: number }; answer: FoundObject };
+  /** A shape's triangles, and what was mended about it. */
+  surface: { arguments: { solid: Solid }; answer: FoundSurface };
+  /** How the wire would run over it, before anything is fitted: `covering` tells how far that is. */
+  curve: { arguments: { covered: Covered; settings: SettingValues }; answer: WireShape };
+  /** The picture of a style by formula. */
+  pattern: { arguments: { pattern: PatternName; sidePx: number }; answer: Ink };
   /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same work. */
   run: { arguments: { work: Work; settings: SettingValues; from: Blob | null }; answer: Finished };
   /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
@@ -269,6 +328,8 @@ export type Control = { control: "pause" | "resume" | "step" | "stop" | "seen" }
 export type News =
   | { news: "progress"; words: string; share: number }
   | { news: "note"; words: string }
+  /** Of `curve`. */
+  | { news: "covering"; share: number }
   /** When a run starts, and when it changes on the way. */
   | { news: "place"; place: Place }
   | { news: "targets"; targets: readonly Target[] }

@@ -1,15 +1,16 @@
-/** Answers the page's calls, one worker a page. It keeps nothing but the run under way. */
+/** Answers the page's calls, one worker a page. It keeps the run under way, and the shape that was last looked at. */
 
 import { openShareCode } from "../embed/share/code";
-import { loaded } from "./core";
+import { loaded, type CoreSurface } from "./core";
 import { fitted } from "./fit";
-import type { Answer, Calls, Control, Finished, News, Request } from "./protocol";
+import type { Answer, Calls, Control, Covered, Finished, News, Request, Solid } from "./protocol";
 import { Pull } from "./pull";
 import { sheetOf } from "./sheet";
 
 const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; please try again.";
 
 let pull: Pull | null = null;
+let surface: { readonly key: string; readonly core: CoreSurface } | null = null;
 
 const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<Calls[K]["answer"]> } = {
   settings: async () => (await loaded()).settings(),
@@ -20,6 +21,9 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
   },
   find: async ({ picture, object }) => (await loaded()).find(picture, object),
   preview: async ({ drawings, settings }) => (await loaded()).preview(drawings, settings),
+  surface: async ({ solid }) => (await surfaceOf(solid)).found(),
+  curve: async ({ covered, settings }) => (await dressed(covered)).curve(settings, (share) => tell({ news: "covering", share })),
+  pattern: async ({ pattern, sidePx }) => (await loaded()).pattern(pattern, sidePx),
   run,
   sheet: ({ drawing }) => sheetOf(drawing),
   peek: async ({ code }) => openShareCode(code),
@@ -33,10 +37,14 @@ async function run({ work, settings, from }: Calls["run"]["arguments"]): Promise
   const mine = (pull = new Pull(tell));
   try {
     const checkpoint = from && new Uint8Array(await from.arrayBuffer());
-    const session = await (await loaded()).start(work, settings, checkpoint, {
-      tell: (words, share) => tell({ news: "progress", words, share }),
-      note: (words) => tell({ news: "note", words }),
-    });
+    const ears = {
+      tell: (words: string, share: number) => tell({ news: "progress", words, share }),
+      note: (words: string) => tell({ news: "note", words }),
+    };
+    const session =
+      work.job === "fill"
+        ? await (await dressed(work.covered)).start(settings, checkpoint, ears)
+        : await (await loaded()).start(work, settings, checkpoint, ears);
     try {
       tell({ news: "targets", targets: session.targets() });
       await mine.toTheEnd(session, from !== null);
@@ -48,6 +56,24 @@ async function run({ work, settings, from }: Calls["run"]["arguments"]): Promise
   } finally {
     pull = null;
   }
+}
+
+/** Read once, however often it is asked for. */
+async function surfaceOf(solid: Solid): Promise<CoreSurface> {
+  const key = "shape" in solid ? solid.shape : solid.key;
+  if (surface?.key !== key) {
+    const core = await loaded();
+    const read = "shape" in solid ? core.shape(solid.shape) : core.mesh(solid.name, new Uint8Array(await solid.file.arrayBuffer()));
+    surface?.core.free();
+    surface = { key, core: read };
+  }
+  return surface.core;
+}
+
+async function dressed({ solid, style }: Covered): Promise<CoreSurface> {
+  const surface = await surfaceOf(solid);
+  surface.dress(style);
+  return surface;
 }
 
 function tell(message: News | Answer, transfer: Transferable[] = []): void {

@@ -2,16 +2,17 @@
 
 import type { EngineClient } from "../engine/client";
 import type { Job, SettingsTable, SettingsTables } from "../engine/protocol";
-import type { Doc, Slot } from "./keeping/document";
+import { givenOf, type Doc, type Slot } from "./keeping/document";
 import { NO_PROJECT, type Project, type ProjectState } from "./keeping/project";
 import { remembered } from "./keeping/remember";
 import { WHEN_HIDDEN, type WhenHidden } from "./run/hidden-tab";
 import { ANYWHERE, type Whereabouts } from "./run/placer";
+import { NO_COVER, type CoverState } from "./run/coverer";
 import { NO_PREVIEW, type PreviewState } from "./run/previewer";
 import { NOTHING_TO_SEE, READY, type RunState } from "./run/runner";
 import type { Store } from "./store";
 
-/** What is passing about a pad, or about the picture of a stroke. */
+/** What is passing about a pad, about the picture of a stroke, or about a shape. */
 export interface PadState {
   readonly busy: boolean;
   /** What was done to the last picture, or empty. */
@@ -22,9 +23,12 @@ export interface PadState {
 
 export const QUIET: PadState = { busy: false, note: "", problem: "" };
 
-export interface StudioState extends ProjectState, RunState, PreviewState {
+export interface StudioState extends ProjectState, RunState, PreviewState, CoverState {
   readonly pads: Readonly<Record<Slot, PadState>>;
   readonly sitting: PadState;
+  readonly dressing: PadState;
+  /** Whether the stage shows how a wire would run, and not the one that was made. */
+  readonly planned: boolean;
   /** What the examples came with: while it is there as it came, a wire that is an example is of it. */
   readonly examples: Readonly<Record<Job, unknown>>;
   /** The core's settings; null until it has told them. */
@@ -47,10 +51,13 @@ export interface StudioState extends ProjectState, RunState, PreviewState {
 export const AT_FIRST: StudioState = {
   ...NO_PROJECT,
   ...NO_PREVIEW,
+  ...NO_COVER,
   ...NOTHING_TO_SEE,
   pads: { front: QUIET, side: QUIET, top: QUIET },
   sitting: QUIET,
-  examples: { multiview: null, stroke: null },
+  dressing: QUIET,
+  planned: false,
+  examples: { multiview: null, stroke: null, fill: null },
   phase: "idle",
   progress: READY,
   tables: null,
@@ -69,8 +76,7 @@ export const tableOf = ({ tables, doc }: Pick<StudioState, "tables" | "doc">): S
 
 /** The wire on the stage is the example, and what it was made of is there as it came. */
 export function showsExample({ doc, examples }: Pick<StudioState, "doc" | "examples">): boolean {
-  const given = doc.job === "stroke" ? doc.subject : doc.papers;
-  return doc.desks[doc.job].made?.source === "example" && examples[doc.job] === given;
+  return doc.desks[doc.job].made?.source === "example" && examples[doc.job] === givenOf(doc);
 }
 
 /** What each part of the studio works with. */

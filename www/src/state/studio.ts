@@ -2,22 +2,26 @@
 
 import type { WireShape } from "../embed/shape";
 import { EngineClient } from "../engine/client";
-import type { Backend, Drawing, ExportFormat } from "../engine/protocol";
+import type { Backend, Drawing, ExportFormat, Ink, PatternName } from "../engine/protocol";
 import { writeFragment } from "./address/fragment";
 import { forOthers, readRenderer } from "./address/renderer";
 import { sortFiles } from "./drawing/files";
+import { Dressing } from "./giving/dressing";
 import { Pads } from "./giving/pads";
 import { Sitting } from "./giving/sitting";
 import { BLANK, deskOf, SLOTS, untouched, type Doc, type Job } from "./keeping/document";
 import { Project } from "./keeping/project";
 import { remember } from "./keeping/remember";
 import { Opener } from "./opening/opener";
+import { Coverer } from "./run/coverer";
 import { HiddenTab, type WhenHidden } from "./run/hidden-tab";
 import { Placer } from "./run/placer";
 import { Previewer, type PadRemedy } from "./run/previewer";
 import { Runs } from "./run/runs";
 import { Options } from "./settings/options";
 import { Store } from "./store";
+import { wordsOf } from "./surface/cover";
+import { Planning } from "./surface/planning";
 import { AT_FIRST, type Bench, type StudioState } from "./studio-state";
 import { explain } from "./words";
 
@@ -31,19 +35,21 @@ export { showsExample, tableOf, type PadState, type StudioState } from "./studio
 export class Studio {
   readonly store = new Store<StudioState>(AT_FIRST);
   private readonly project = new Project((state) => this.changed(state));
-  private readonly engine = new EngineClient((news) => this.runs.hear(news));
+  private readonly engine = new EngineClient((news) => (news.news === "covering" ? this.coverer.hear(news.share) : this.runs.hear(news)));
   private readonly bench = this.benchOf();
   /** The drawings of the first job. */
   readonly pads = new Pads(this.bench);
   /** The picture of the second. */
   readonly sitting = new Sitting(this.bench);
+  /** The shape of the third, and its style. */
+  readonly dressing = new Dressing(this.bench);
   readonly options = new Options(this.bench);
   private readonly placer = new Placer(
     (backend) => this.engine.call("place", { backend }),
     (where) => this.store.set({ where }),
     (words) => this.notify(words),
   );
-  private readonly runs = new Runs(this.bench, this.placer, () => this.backend, (wire) => this.showWire(wire));
+  private readonly runs = new Runs(this.bench, this.placer, () => this.backend, (wire) => this.showWire(wire), (made) => this.planning.standIn(made));
   private readonly opener = new Opener(this.bench, this.options, {
     recalled: () => this.recalled,
     choose: (job) => this.setJob(job),
@@ -53,11 +59,32 @@ export class Studio {
     (drawings: readonly Drawing[], settings) => this.engine.call("preview", { drawings, settings }),
     (state) => this.store.set(state),
   );
+  private readonly coverer = new Coverer(
+    {
+      surface: (solid) => this.engine.call("surface", { solid }),
+      curve: (covered, settings) => this.engine.call("curve", { covered, settings }),
+      cancel: () => this.engine.cancelIfAlone(),
+    },
+    (state) => {
+      this.store.set(state);
+      if ("curve" in state) this.runs.show();
+    },
+  );
+  private readonly planning = new Planning(this.bench, this.options, this.coverer);
+  private readonly patterns = new Map<PatternName, Promise<Ink>>();
   private readonly wireListeners = new Set<(wire: WireShape | null) => void>();
   private wire: WireShape | null = null;
   private recalled: Promise<unknown> = Promise.resolve();
 
   constructor() {
+    let before = this.store.get();
+    this.store.follow((now) => {
+      // A run has begun or ended, the settings have come, or the stage is to show another curve.
+      const [changed, planned] = [now.phase !== before.phase || now.tables !== before.tables, now.planned !== before.planned];
+      before = now;
+      if (changed) this.planning.follow(this.opener.ahead);
+      else if (planned) this.runs.show();
+    });
     const tab = new HiddenTab(() => this.store.get().whenHidden, { phase: () => this.store.get().phase, pauseOrGoOn: () => this.pause() });
     this.store.follow(() => tab.look());
   }
@@ -67,11 +94,11 @@ export class Studio {
     const { backend, problem } = readRenderer(search);
     if (backend) this.placer.obey(backend);
     if (problem) this.notify(problem);
+    const recalled = this.project.recall();
+    this.recalled = recalled;
     // A link's wire is on the stage at once; into the document it comes as a step over what was kept.
     const opening = this.opener.fragment(hash);
     const asked = hash.length > 1 ? this.doc.job : null;
-    const recalled = this.project.recall();
-    this.recalled = recalled;
     this.runs.offer(await recalled);
     if (asked) this.setJob(asked);
     if (!(await opening)) await this.showExample();
@@ -98,13 +125,24 @@ export class Studio {
     void this.showExample();
   }
 
-  /** Files dropped or pasted anywhere: pictures to where the job wants them, a wire onto the stage. */
+  /** Files dropped or pasted anywhere: pictures to where the job wants them, a mesh to be covered, a wire onto the stage. */
   async takeFiles(files: readonly File[], folders: readonly string[] = []): Promise<void> {
     if (this.busy || files.length === 0) return;
-    const one = this.doc.job === "stroke";
-    const { pictures, wire, note } = sortFiles(files, folders, one ? 1 : SLOTS.length);
+    const { job } = this.doc;
+    const one = job !== "multiview";
+    const { meshes, pictures, wire, note } = sortFiles(files, folders, one ? 1 : SLOTS.length, job === "fill");
     this.store.set({ problem: note });
-    if (wire && pictures.length === 0) await this.opener.file(wire);
+    if (wire && pictures.length === 0 && meshes.length === 0) await this.opener.file(wire);
+    if (job === "fill") {
+      for (const file of meshes) await this.dressing.open(file, file.name || "the mesh");
+      for (const file of pictures) await this.dressing.picture(file, file.name || "the picture");
+      return;
+    }
+    if (meshes.length) {
+      this.choose("fill");
+      await this.dressing.open(meshes[0]!, meshes[0]!.name);
+      return;
+    }
     if (one) {
       for (const file of pictures) await this.sitting.give(file, file.name || "the picture");
       return;
@@ -121,6 +159,7 @@ export class Studio {
     const hash = /#\S*\bw=\S+/.exec(text)?.[0];
     if (hash) void this.openFragment(hash);
     else if (this.doc.job === "stroke") this.warn("That was text. Here a wire is made of a picture: paste or drop one.");
+    else if (this.doc.job === "fill") this.warn("That was text. Here a wire covers a shape: drop a mesh, or a picture for its style.");
     else this.warn("That was text. To make a wire of a word, open a pad, choose Type and write it there.");
   }
 
@@ -134,6 +173,7 @@ export class Studio {
 
   startOver(): void {
     if (this.doc.job === "stroke") this.sitting.clear();
+    else if (this.doc.job === "fill") this.dressing.clear();
     else this.edit("Start with empty pads", { papers: BLANK.papers });
   }
 
@@ -228,7 +268,19 @@ export class Studio {
   /** A link that carries the whole wire and the settings. */
   link(page: string): string | null {
     const { made, settings } = deskOf(this.doc);
-    return made ? forOthers(page) + writeFragment(this.doc.job, made.finished.code, settings) : null;
+    const { cover } = this.doc;
+    return made ? forOthers(page) + writeFragment(this.doc.job, made.finished.code, settings, cover ? wordsOf(cover) : undefined) : null;
+  }
+
+  /** The picture of a style by formula. */
+  pattern(pattern: PatternName): Promise<Ink> {
+    let picture = this.patterns.get(pattern);
+    if (!picture) {
+      picture = this.engine.call("pattern", { pattern, sidePx: PATTERN_PX });
+      picture.catch(() => this.patterns.delete(pattern));
+      this.patterns.set(pattern, picture);
+    }
+    return picture;
   }
 
   say(said: string): void {
@@ -252,6 +304,7 @@ export class Studio {
     const { doc } = state;
     if ((doc.job !== before.job || deskOf(doc).made !== deskOf(before).made) && !this.opener.ahead) this.runs.show();
     this.previewer.follow({ papers: doc.papers, settings: doc.desks.multiview.settings });
+    this.planning.follow(this.opener.ahead);
     this.seekPlace();
   }
 
@@ -314,6 +367,9 @@ export class Studio {
     for (const listener of this.wireListeners) listener(wire);
   }
 }
+
+/** Of the pictures on the shelf. */
+const PATTERN_PX = 160;
 
 const MIME: Readonly<Record<ExportFormat, string>> = {
   glb: "model/gltf-binary",

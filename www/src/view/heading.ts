@@ -8,6 +8,13 @@ export interface Heading {
   readonly elevation: number;
 }
 
+/** From where a view looks. */
+export function headingOf({ eye, target }: Pick<View, "eye" | "target">): Heading {
+  const [x, y, z] = [eye[0] - target[0], eye[1] - target[1], eye[2] - target[2]];
+  const degrees = 180 / Math.PI;
+  return { azimuth: Math.atan2(x, z) * degrees, elevation: Math.atan2(y, Math.hypot(x, z)) * degrees };
+}
+
 /** World height of the picture: the unit ball, in which every wire hangs. */
 const HEIGHT_WORLD = 2;
 const SIZE_PX = 256;

@@ -2,6 +2,8 @@ import { describe, expect, it } from "vitest";
 import type { SettingsTable } from "../../engine/protocol";
 import { known, problemWith, readFragment, writeFragment } from "./fragment";
 
+const NONE = { shape: null, style: null };
+
 const table: SettingsTable = {
   rows: [
     { name: "preset", group: "run", unit: "", help: "", kind: "choice", choices: ["best", "fast"] },
@@ -20,17 +22,28 @@ describe("a fragment", () => {
     const settings = { preset: "fast", smoothness: "1.5" };
     const fragment = writeFragment("multiview", "AB-_9", settings);
     expect(fragment).toBe("#v=1&w=AB-_9&preset=fast&smoothness=1.5");
-    expect(readFragment(fragment)).toEqual({ job: "multiview", code: "AB-_9", settings, newer: false });
+    expect(readFragment(fragment)).toEqual({ job: "multiview", code: "AB-_9", cover: NONE, settings, newer: false });
     expect(writeFragment("multiview", null, {})).toBe("");
-    expect(readFragment("")).toEqual({ job: null, code: null, settings: {}, newer: false });
+    expect(readFragment("")).toEqual({ job: null, code: null, cover: NONE, settings: {}, newer: false });
     const stroke = writeFragment("stroke", "AB", settings);
     expect(stroke).toBe("#v=1&job=stroke&w=AB&preset=fast&smoothness=1.5");
-    expect(readFragment(stroke)).toEqual({ job: "stroke", code: "AB", settings, newer: false });
-    expect(readFragment("#v=1&job=fill&seed=3").job).toBe("multiview");
+    expect(readFragment(stroke)).toEqual({ job: "stroke", code: "AB", cover: NONE, settings, newer: false });
+    expect(readFragment("#v=1&job=knit&seed=3").job).toBe("multiview");
+  });
+
+  it("names a shape and a style by formula, and nothing else", () => {
+    const cover = { shape: "vase", style: "waves" } as const;
+    const fragment = writeFragment("fill", "AB", { density: "0.7" }, cover);
+    expect(fragment).toBe("#v=1&job=fill&shape=vase&style=waves&w=AB&density=0.7");
+    expect(readFragment(fragment)).toEqual({ job: "fill", code: "AB", cover, settings: { density: "0.7" }, newer: false });
+    // A mesh of one's own stays where it is, and so does what it wears; other jobs have no shape.
+    expect(writeFragment("fill", null, {}, { shape: null, style: "waves" })).toBe("#v=1&job=fill");
+    expect(writeFragment("stroke", null, {}, cover)).toBe("#v=1&job=stroke");
+    expect(readFragment("#v=1&job=fill&shape=teapot&style=tartan").cover).toEqual(NONE);
   });
 
   it("reads links of before there was a version, and tells newer ones", () => {
-    expect(readFragment("#w=AB")).toEqual({ job: "multiview", code: "AB", settings: {}, newer: false });
+    expect(readFragment("#w=AB")).toEqual({ job: "multiview", code: "AB", cover: NONE, settings: {}, newer: false });
     expect(readFragment("#v=2&w=AB").newer).toBe(true);
     expect(readFragment("#v=x&w=AB").newer).toBe(true);
   });

@@ -1,9 +1,11 @@
 /**
  * The address's fragment, which no server ever sees: `#v=1&job=stroke&w=CODE&preset=fast&seed=3`. `w` carries a whole
- * wire, `job` says what it is for (several drawings, where there is none), every other key is a setting of the core's
- * table; unknown ones are ignored. Links before `v` held `w` alone.
+ * wire, `job` says what it is for (several drawings, where there is none), `shape` and `style` name a shape by formula
+ * and a style by formula, every other key is a setting of the core's table; unknown ones are ignored. Links before `v`
+ * held `w` alone.
  */
 
+import { isPattern, isShape, type CoverWords } from "../surface/cover";
 import { JOBS, type Job, type SettingsTable, type SettingValues } from "../../engine/protocol";
 
 export const FRAGMENT_VERSION = 1;
@@ -12,6 +14,7 @@ export interface Fragment {
   /** Null where the fragment says nothing at all. */
   readonly job: Job | null;
   readonly code: string | null;
+  readonly cover: CoverWords;
   /** As written; see [`known`]. */
   readonly settings: SettingValues;
   /** Whether a newer page wrote it. */
@@ -23,15 +26,20 @@ export function readFragment(hash: string): Fragment {
   const version = Number(pairs.get("v") ?? FRAGMENT_VERSION);
   const settings: Record<string, string> = {};
   for (const [name, value] of pairs) {
-    if (!["v", "w", "job"].includes(name)) settings[name] = value;
+    if (!["v", "w", "job", "shape", "style"].includes(name)) settings[name] = value;
   }
   const job = JOBS.find((job) => job === pairs.get("job")) ?? (pairs.size > 0 ? "multiview" : null);
-  return { job, code: pairs.get("w"), settings, newer: !(version <= FRAGMENT_VERSION) };
+  const [shape, style] = [pairs.get("shape"), pairs.get("style")];
+  const cover = { shape: isShape(shape) ? shape : null, style: isPattern(style) ? style : null };
+  return { job, code: pairs.get("w"), cover, settings, newer: !(version <= FRAGMENT_VERSION) };
 }
 
+const NOTHING: CoverWords = { shape: null, style: null };
+
 /** Empty where there is nothing to say. */
-export function writeFragment(job: Job, code: string | null, settings: SettingValues): string {
-  const first = job === "multiview" ? "" : `&job=${job}`;
+export function writeFragment(job: Job, code: string | null, settings: SettingValues, { shape, style }: CoverWords = NOTHING): string {
+  const covered = `${shape ? `&shape=${shape}` : ""}${shape && style ? `&style=${style}` : ""}`;
+  const first = job === "multiview" ? "" : `&job=${job}${job === "fill" ? covered : ""}`;
   const pairs = Object.entries(settings).map(([name, value]) => `&${encodeURIComponent(name)}=${encodeURIComponent(value)}`);
   if (!first && code === null && pairs.length === 0) return "";
   return `#v=${FRAGMENT_VERSION}${first}${code === null ? "" : `&w=${code}`}${pairs.join("")}`;

@@ -23,3 +23,12 @@ it("knows a folder from a picture", () => {
   expect(pictures.map(({ name }) => name)).toEqual(["a.png"]);
   expect(note).toContain("holiday is a folder");
 });
+
+it("knows a mesh by its name, and where one is wanted takes whatever is no picture for one", () => {
+  const files = [file("bunny.OBJ", ""), file("petals.png"), file("cup.stl", "model/stl")];
+  const { meshes, pictures, note } = sortFiles(files, [], 1);
+  expect([meshes, pictures].map((found) => found.map(({ name }) => name))).toEqual([["bunny.OBJ"], ["petals.png"]]);
+  expect(note).toBe("One mesh at a time: bunny.OBJ was taken.");
+  expect(sortFiles([file("scan.pts", "")], [], 1).meshes).toEqual([]);
+  expect(sortFiles([file("scan.pts", "")], [], 1, true).meshes).toHaveLength(1);
+});

@@ -5,17 +5,29 @@ const MOST_WIRE_BYTES = 50_000_000;
 export interface Sorted {
   readonly pictures: readonly File[];
   readonly wire: File | null;
+  /** At most one. */
+  readonly meshes: readonly File[];
   /** What was left aside and why, in a sentence, or empty. */
   readonly note: string;
 }
 
-/** At most `room` pictures are taken, and a wire only if there is nothing else. `folders` names what is no file at all. */
-export function sortFiles(files: readonly File[], folders: readonly string[], room: number): Sorted {
+/** What meshes come in; the last few only to hear from the core what would do instead. */
+const MESH = /\.(obj|stl|ply|glb|gltf|off|fbx|3mf|dae|blend|step|stp)$/i;
+const isPicture = (file: File): boolean => file.type.startsWith("image/");
+
+/**
+ * At most `room` pictures are taken, one mesh, and a wire only if there is nothing else. `folders` names what is no file
+ * at all. Where meshes are `wanted`, what is no picture is taken for one.
+ */
+export function sortFiles(files: readonly File[], folders: readonly string[], room: number, wanted = false): Sorted {
   const isWire = (file: File): boolean => /\.json$/i.test(file.name) && file.size <= MOST_WIRE_BYTES;
   const isMoving = (file: File): boolean => /^(video|audio)\//.test(file.type);
   const wires = files.filter(isWire);
   const moving = files.filter(isMoving);
-  const pictures = files.filter((file) => !isWire(file) && !isMoving(file) && !folders.includes(file.name));
+  const rest = files.filter((file) => !isWire(file) && !isMoving(file) && !folders.includes(file.name));
+  const isMesh = (file: File): boolean => MESH.test(file.name) || (wanted && !isPicture(file));
+  const meshes = rest.filter(isMesh);
+  const pictures = rest.filter((file) => !isMesh(file));
   const notes: string[] = [];
   if (folders.length) notes.push(`${folders[0]!} is a folder; open it and drop the pictures in it.`);
   if (moving.length) notes.push(`${moving[0]!.name} is a film or sound; take a still picture of it.`);
@@ -23,6 +35,7 @@ export function sortFiles(files: readonly File[], folders: readonly string[], ro
     const taken = `${pictures.length} files`;
     notes.push(room === 1 ? `One picture at a time: the first of ${taken} was taken.` : `There are three pads; the first ${room === 3 ? "three" : room} of ${taken} were taken.`);
   }
+  if (meshes.length > 1) notes.push(`One mesh at a time: ${meshes[0]!.name} was taken.`);
   if (wires.length > 1) notes.push(`One wire at a time: ${wires[0]!.name} was opened.`);
-  return { pictures: pictures.slice(0, room), wire: wires[0] ?? null, note: notes.join(" ") };
+  return { pictures: pictures.slice(0, room), wire: wires[0] ?? null, meshes: meshes.slice(0, 1), note: notes.join(" ") };
 }

@@ -17,6 +17,7 @@ it("knows what was never touched", () => {
   expect([untouched(doc, "multiview"), untouched(doc, "stroke")]).toEqual([true, false]);
   const done: Doc = { ...BLANK, ...withDesk(BLANK, "multiview", { made }) };
   expect([untouched(done, "multiview"), untouched(done, "stroke")]).toEqual([false, true]);
+  expect(untouched({ ...BLANK, cover: { solid: { shape: "vase" }, style: null } }, "fill")).toBe(false);
   // Settings alone leave room for an example.
   expect(untouched({ ...BLANK, ...withDesk(BLANK, "stroke", { settings: { seed: "1" } }) }, "stroke")).toBe(true);
 });
@@ -24,6 +25,7 @@ it("knows what was never touched", () => {
 it("finds the job in which two documents differ, however they are looked at", () => {
   expect(differingJob(BLANK, { ...BLANK, job: "stroke" })).toBeNull();
   expect(differingJob(BLANK, { ...BLANK, job: "multiview", subject })).toBe("stroke");
+  expect(differingJob(BLANK, { ...BLANK, cover: { solid: { shape: "vase" }, style: null } })).toBe("fill");
   expect(differingJob({ ...BLANK, job: "stroke" }, { ...BLANK, papers: { ...BLANK.papers } })).toBe("multiview");
   expect(differingJob(BLANK, { ...BLANK, papers: { ...BLANK.papers }, subject })).toBeNull();
 });

@@ -4,6 +4,7 @@ import { JOBS, type Finished, type Job, type SettingValues } from "../../engine/
 import type { Paper } from "../drawing/paper";
 import type { Track } from "../run/track";
 import type { Subject } from "../subject/subject";
+import type { Cover } from "../surface/cover";
 
 export { JOBS, type Job } from "../../engine/protocol";
 
@@ -17,6 +18,8 @@ export interface Doc {
   readonly papers: Readonly<Record<Slot, Paper | null>>;
   /** Given for the second. */
   readonly subject: Subject | null;
+  /** Given for the third. */
+  readonly cover: Cover | null;
   readonly desks: Readonly<Record<Job, Desk>>;
 }
 
@@ -48,8 +51,14 @@ export const BLANK: Doc = {
   job: "multiview",
   papers: { front: null, side: null, top: null },
   subject: null,
-  desks: { multiview: EMPTY_DESK, stroke: EMPTY_DESK },
+  cover: null,
+  desks: { multiview: EMPTY_DESK, stroke: EMPTY_DESK, fill: EMPTY_DESK },
 };
+
+/** What is given for the job that is looked at. */
+export function givenOf({ job, papers, subject, cover }: Doc): unknown {
+  return { multiview: papers, stroke: subject, fill: cover }[job];
+}
 
 /** Of the job that is looked at. */
 export const deskOf = (doc: Doc): Desk => doc.desks[doc.job];
@@ -59,14 +68,14 @@ export function withDesk(doc: Doc, job: Job, change: Partial<Desk>): Pick<Doc, "
 }
 
 /** Whether nothing was ever given or made for a job. */
-export function untouched({ papers, subject, desks }: Doc, job: Job): boolean {
-  const given = job === "stroke" ? subject !== null : SLOTS.some((slot) => papers[slot] !== null);
-  return !given && desks[job].made === null;
+export function untouched({ papers, subject, cover, desks }: Doc, job: Job): boolean {
+  const given = { multiview: SLOTS.some((slot) => papers[slot] !== null), stroke: subject !== null, fill: cover !== null };
+  return !given[job] && desks[job].made === null;
 }
 
 /** The job in which two documents differ; null where neither or both do. */
 export function differingJob(a: Doc, b: Doc): Job | null {
-  const given = { multiview: a.papers !== b.papers, stroke: a.subject !== b.subject };
+  const given = { multiview: a.papers !== b.papers, stroke: a.subject !== b.subject, fill: a.cover !== b.cover };
   const differing = JOBS.filter((job) => given[job] || a.desks[job] !== b.desks[job]);
   return differing.length === 1 ? differing[0]! : null;
 }

@@ -4,6 +4,7 @@ import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import type { Snapshot } from "../../engine/protocol";
 import { EMPTY_DESK, type Doc, type Made } from "./document";
 import type { Sheet, Track } from "../run/track";
+import type { Cover } from "../surface/cover";
 
 /** A run under way; what it has come to so far lies in the snapshots. */
 export type KeptRun = Omit<Track, "snapshots">;
@@ -16,16 +17,26 @@ interface Schema extends DBSchema {
   snapshots: { key: number; value: Snapshot };
 }
 
-/** `settings`, `made` and `loose` are the first job's: it had them before there was another. */
-type Parts = Doc["papers"] & Pick<Doc, "job" | "subject"> & Doc["desks"]["multiview"] & { readonly stroke: Doc["desks"]["stroke"] };
+/**
+ * `settings`, `made` and `loose` are the first job's: it had them before there was another. A shape may be large, and is
+ * not written again with every style.
+ */
+type Parts = Doc["papers"] &
+  Pick<Doc, "job" | "subject"> &
+  Doc["desks"]["multiview"] &
+  Omit<Doc["desks"], "multiview"> & { readonly solid: Cover["solid"] | null; readonly style: Cover["style"] };
 
-const partsOf = ({ papers, job, subject, desks }: Doc): Parts => ({ ...papers, job, subject, ...desks.multiview, stroke: desks.stroke });
+function partsOf({ papers, job, subject, cover, desks: { multiview, ...desks } }: Doc): Parts {
+  const { solid = null, style = null } = cover ?? {};
+  return { ...papers, job, subject, solid, style, ...multiview, ...desks };
+}
 
 function docOf(parts: Partial<Parts>): Doc | null {
-  const { front = null, side = null, top = null, job = "multiview", subject = null, settings, made = null, loose = null, stroke = EMPTY_DESK } = parts;
+  const { front = null, side = null, top = null, job = "multiview", subject = null, settings, made = null, loose = null } = parts;
+  const { solid = null, style = null, stroke = EMPTY_DESK, fill = EMPTY_DESK } = parts;
   if (!settings) return null;
   const desk = { settings, made: madeOf(made), loose: madeOf(loose) };
-  return { job, papers: { front, side, top }, subject, desks: { multiview: desk, stroke } };
+  return { job, papers: { front, side, top }, subject, cover: solid && { solid, style }, desks: { multiview: desk, stroke, fill } };
 }
 
 /** A run was about drawings before there was anything else for it to be about. */

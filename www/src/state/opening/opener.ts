@@ -12,6 +12,7 @@ import { NOTHING_TO_SEE } from "../run/runner";
 import type { Options } from "../settings/options";
 import type { Bench } from "../studio-state";
 import type { Subject } from "../subject/subject";
+import { wordsOf, type Cover, type CoverWords } from "../surface/cover";
 import { asSentence, explain, named } from "../words";
 
 /** Where a wire comes from: an example also tells how well it matches, since the core cannot measure without pictures. */
@@ -39,7 +40,7 @@ export class Opener {
 
   /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
   async fragment(hash: string): Promise<boolean> {
-    const { job, code, settings, newer } = readFragment(hash);
+    const { job, code, cover, settings, newer } = readFragment(hash);
     this.bench.warn("");
     if (newer) {
       this.bench.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
@@ -48,7 +49,18 @@ export class Opener {
     if (!job) return false;
     this.page.choose(job);
     this.options.ask(job, settings);
+    if (job === "fill") void this.page.recalled().then(() => this.cover(cover, code !== null));
     return code !== null && this.code(code, job, { source: "link" });
+  }
+
+  /** The shape that a link names: a wire without one is not shown over another. */
+  private cover({ shape, style }: CoverWords, wire: boolean): void {
+    const { doc, busy, project } = this.bench;
+    const has = doc.cover && wordsOf(doc.cover);
+    if (busy || (!shape && !wire) || (shape && has?.shape === shape && has.style === style)) return;
+    const cover: Cover | null = shape && { solid: { shape }, style };
+    if (wire) this.bench.edit("Open the link", { cover }, "open a link");
+    else project.replace({ cover });
   }
 
   async file(file: File): Promise<void> {
@@ -64,8 +76,7 @@ export class Opener {
   /** What a job shows to those who have given it nothing yet. */
   async example(job: Job): Promise<void> {
     try {
-      if (job === "stroke") await this.strokeExample();
-      else await this.viewsExample();
+      await { multiview: () => this.viewsExample(), stroke: () => this.strokeExample(), fill: () => this.fillExample() }[job]();
     } catch (error) {
       this.bench.warn(explain(error, "The example"));
     }
@@ -91,6 +102,17 @@ export class Opener {
     this.seeking(true);
     await this.code(code, "stroke", { source: "example", measured });
     await this.findIn(subject);
+  }
+
+  private async fillExample(): Promise<void> {
+    const { FILL_COVER, fillCode } = await import("../example/fill");
+    const code = await fillCode();
+    if (this.tooLate("fill")) return;
+    // First, so that no curve is sought for what is about to have a wire.
+    const showing = this.code(code, "fill", { source: "example", measured: [] });
+    this.bench.project.amend((doc) => (untouched(doc, "fill") ? { ...doc, cover: FILL_COVER } : doc));
+    this.asItCame("fill", FILL_COVER);
+    await showing;
   }
 
   /** The object of the example's picture, for showing: it needs the core. */
@@ -163,7 +185,9 @@ export class Opener {
   private opened(made: Made, job: Job, label: string): void {
     const { busy, doc, project } = this.bench;
     if (busy) return;
-    if (made.source !== "example") this.bench.edit(label, withDesk(doc, job, { made, loose: null }));
+    // With the shape of the link, if it names one, as one step.
+    const kind = job === "fill" && made.source === "link" ? "open a link" : "";
+    if (made.source !== "example") this.bench.edit(label, withDesk(doc, job, { made, loose: null }), kind);
     else project.amend((doc) => (doc.desks[job].made ? doc : { ...doc, ...withDesk(doc, job, { made }) }));
   }
 }

@@ -2,11 +2,12 @@
 
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Backend, Drawing, Finished, Frame, News, Place, Snapshot, Target, View, Work } from "../../engine/protocol";
+import type { Backend, Drawing, Finished, Frame, Job, News, Place, Snapshot, Target, View, Work } from "../../engine/protocol";
 import { drawingOf } from "../drawing/paper";
 import { pixelsOf } from "../drawing/picture";
 import { nextTask } from "../next-task";
 import { maskOf } from "../subject/subject";
+import { coveredOf } from "../surface/cover";
 import { withEvent, withFrame, withSnapshot, type Given, type Track } from "./track";
 import { asSentence } from "../words";
 
@@ -52,6 +53,12 @@ export interface RunHooks {
   place(place: Place): void;
 }
 
+const LOOKING: Readonly<Record<Job, string>> = {
+  multiview: "Looking at the drawings",
+  stroke: "Looking at the picture",
+  fill: "Looking at the shape",
+};
+
 /** Numbers that change more often than this cannot be read, and cost a slow page its breath. */
 const NUMBERS_MS = 100;
 
@@ -74,7 +81,7 @@ export class Runner {
    */
   async run(track: Track, backend: Promise<Backend>): Promise<Finished | null> {
     const from = track.snapshots.at(-1)?.checkpoint ?? null;
-    const words = from ? "Picking up the wire" : track.given.job === "stroke" ? "Looking at the picture" : "Looking at the drawings";
+    const words = from ? "Picking up the wire" : LOOKING[track.given.job];
     this.newest = null;
     this.untold = [];
     let off = false;
@@ -211,6 +218,7 @@ async function workOf(given: Given): Promise<Work> {
     const mask = maskOf(given.subject);
     return { job: "stroke", subject: { picture: await pixelsOf(picture), mask, depth: depth && (await pixelsOf(depth)) } };
   }
+  if (given.job === "fill") return { job: "fill", covered: await coveredOf(given.cover) };
   const drawings: Drawing[] = [];
   for (const { slot, paper } of given.sheets) {
     await nextTask();

@@ -24,6 +24,8 @@ export class Runs {
     private readonly backend: () => Backend,
     /** A wire for the stage. */
     private readonly showWire: (wire: WireShape | null) => void,
+    /** What stands for the finished wire while nothing runs. */
+    private readonly standIn: (made: WireShape | null) => WireShape | null = (made) => made,
   ) {
     this.runner = new Runner(bench.engine, {
       get: () => this.state,
@@ -86,7 +88,7 @@ export class Runs {
     const { store, doc } = this.bench;
     const snapshot = index === null ? null : store.get().track?.snapshots[index];
     store.set({ looking: snapshot ? index : null });
-    this.showWire(snapshot?.wire ?? deskOf(doc).made?.finished.wire ?? null);
+    this.showWire(snapshot?.wire ?? this.standIn(deskOf(doc).made?.finished.wire ?? null));
   }
 
   /** Goes on from a snapshot, with the settings as they are now; what came after it is dropped. */
@@ -125,7 +127,7 @@ export class Runs {
     const { made } = deskOf(doc);
     const { views = [], targets = [], wire = null } = made?.finished ?? {};
     store.set({ ...NOTHING_TO_SEE, views, targets, track: made?.track ?? null });
-    this.showWire(wire);
+    this.showWire(this.standIn(wire));
   }
 
   private get running(): Job | null {
@@ -151,6 +153,11 @@ export class Runs {
       this.bench.warn("A wire needs a picture. Give one on the left, then press Run.");
       return null;
     }
+    if (doc.job === "fill") {
+      if (doc.cover) return { job: "fill", cover: doc.cover };
+      this.bench.warn("A wire needs a shape to cover. Choose one on the left, then press Cover it.");
+      return null;
+    }
     const sheets = sheetsOf(doc);
     if (sheets.length >= 2) return { job: "multiview", sheets };
     this.bench.warn("A wire needs at least two drawings. Put one into another pad, then press Run.");
@@ -162,7 +169,7 @@ export class Runs {
     const job = jobOf(track);
     if (doc.job !== job) project.replace({ job });
     const change = givenAgain(track.given, doc);
-    if (change) this.bench.edit(job === "stroke" ? "Bring back the picture of the run" : "Bring back the drawings of the run", change);
+    if (change) this.bench.edit(`Bring back the ${GIVEN[job]} of the run`, change);
     // What it is compared with decides about loose strokes.
     await this.fit(track.loose ? track : { ...track, settings: doc.desks[job].settings });
   }
@@ -216,6 +223,8 @@ export class Runs {
   }
 }
 
+const GIVEN: Readonly<Record<Job, string>> = { multiview: "drawings", stroke: "picture", fill: "shape" };
+
 function sceneOf({ track, looking, views, targets, notes }: RunState): Scene {
   return { track, looking, views, targets, notes };
 }
@@ -223,6 +232,7 @@ function sceneOf({ track, looking, views, targets, notes }: RunState): Scene {
 /** The change that brings back what a run was given, if that is not what is there. */
 function givenAgain(given: Given, doc: Doc): Partial<Doc> | null {
   if (given.job === "stroke") return given.subject === doc.subject ? null : { subject: given.subject };
+  if (given.job === "fill") return given.cover === doc.cover ? null : { cover: given.cover };
   const papers = Object.fromEntries(SLOTS.map((slot) => [slot, given.sheets.find((sheet) => sheet.slot === slot)?.paper ?? null]));
   return SLOTS.every((slot) => papers[slot] === doc.papers[slot]) ? null : { papers: papers as Doc["papers"] };
 }

@@ -4,12 +4,14 @@ import type { Frame, Job, RunEvent, SettingValues, Snapshot } from "../../engine
 import type { Slot } from "../keeping/document";
 import type { Paper } from "../drawing/paper";
 import type { Subject } from "../subject/subject";
+import { solidName, type Cover } from "../surface/cover";
 
 /** What a run is about, as it was given. */
 export type Given =
   /** The drawings by the pads they were in, in the run's order. */
   | { readonly job: "multiview"; readonly sheets: readonly Sheet[] }
-  | { readonly job: "stroke"; readonly subject: Subject };
+  | { readonly job: "stroke"; readonly subject: Subject }
+  | { readonly job: "fill"; readonly cover: Cover };
 
 export interface Sheet {
   readonly slot: Slot;
@@ -34,8 +36,9 @@ export function freshTrack(given: Given, settings: SettingValues): Track {
 
 export const jobOf = ({ given }: Track): Job => given.job;
 
-/** What people call what a run is about: its drawings, in the run's order, or its picture. */
-export function labelsOf({ given }: Track): readonly string[] {
+/** What people call what a run is about: its drawings, in the run's order, its picture, or its shape. */
+export function labelsOf({ given }: Pick<Track, "given">): readonly string[] {
+  if (given.job === "fill") return [solidName(given.cover.solid)];
   return given.job === "stroke" ? [given.subject.picture.name] : given.sheets.map(({ paper }) => paper.label);
 }
 

@@ -15,7 +15,7 @@ const rows = [
   ...["control_points", "min_width", "max_width", "spacing"].map((name) => row(name, "wire")),
 ];
 const table = (more: readonly SettingRow[]): SettingsTable => ({ rows: [...rows, ...more], presets: { ...presets, fast: { ...presets.best, preset: "fast", spacing: "6" } } });
-const tables: SettingsTables = { multiview: table([]), stroke: table([row("roundness", "stroke")]) };
+const tables: SettingsTables = { multiview: table([]), stroke: table([row("roundness", "stroke")]), fill: table([row("density", "surface")]) };
 
 let doc: Doc;
 let labels: string[];

@@ -9,8 +9,9 @@ import { tableOf, type Bench } from "../studio-state";
 const NOT_OF_PRESETS: Readonly<Record<Job, readonly string[]>> = {
   multiview: ["seed", "backend"],
   stroke: ["seed", "backend", "control_points", "min_width", "max_width"],
+  fill: ["seed", "backend"],
 };
-const GROUPS_NOT_OF_PRESETS: readonly string[] = ["views", "stroke"];
+const GROUPS_NOT_OF_PRESETS: readonly string[] = ["views", "stroke", "surface"];
 
 export class Options {
   /** From an address, until the tables say which of them there are. */
@@ -53,7 +54,6 @@ export class Options {
 
   learn(tables: SettingsTables): void {
     const { store, project } = this.bench;
-    store.set({ tables });
     for (const job of JOBS) {
       const asked = known(this.asked?.job === job ? this.asked.settings : {}, tables[job]);
       const { settings } = project.doc.desks[job];
@@ -61,6 +61,7 @@ export class Options {
       if (JSON.stringify(next) !== JSON.stringify(settings)) project.replace(withDesk(project.doc, job, { settings: next }));
     }
     this.asked = null;
+    store.set({ tables });
   }
 
   private put(label: string, settings: SettingValues, kind = ""): void {

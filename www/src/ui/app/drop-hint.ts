@@ -9,8 +9,8 @@ export class DropHint extends LitElement {
   @property({ type: Boolean, reflect: true }) over = false;
   /** While a run goes on nothing is taken. */
   @property({ type: Boolean }) locked = false;
-  /** One picture is enough. */
-  @property({ type: Boolean }) one = false;
+  /** What may be dropped. */
+  @property() what = "";
   /** Elements entered and not left yet. */
   private depth = 0;
   private ending = new AbortController();
@@ -41,7 +41,7 @@ export class DropHint extends LitElement {
   ];
 
   override render() {
-    return html`${icons.pictures}${this.locked ? "Wait for the run to end" : this.one ? "Drop a picture or a wire.json" : "Drop pictures or a wire.json"}`;
+    return html`${icons.pictures}${this.locked ? "Wait for the run to end" : `Drop ${this.what}`}`;
   }
 
   override connectedCallback(): void {

@@ -103,6 +103,10 @@ export class HelpDialog extends LitElement {
           how it is rounded, and bends one wire that draws it from the front and still makes sense from the side. Fewer control
           points make it more abstract.
         </p>
+        <p>
+          <b>A shape.</b> Choose a shape or drop a mesh, and one closed wire covers it all over. A style bends and thickens it: petals,
+          waves, or a picture of your own. What is behind the shape is hidden, so that the lines stay clear.
+        </p>
         <p>When you like a wire, copy its link or save it for a 3D printer.</p>
         <p><b>Nothing leaves this device:</b> no upload, no account, no tracking. Your work is kept in this browser only.</p>
         <h2>Keys</h2>

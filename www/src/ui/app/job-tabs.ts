@@ -4,10 +4,11 @@ import { css, html, type TemplateResult } from "lit";
 import { JOBS, type Job } from "../../state/studio";
 import { walkTabs } from "../shared/tablist";
 
-export const JOB_WORDS: Readonly<Record<Job, string>> = { multiview: "Three views", stroke: "One picture" };
+export const JOB_WORDS: Readonly<Record<Job, string>> = { multiview: "Three views", stroke: "One picture", fill: "A shape" };
 const TITLES: Readonly<Record<Job, string>> = {
   multiview: "Three drawings, one wire",
   stroke: "One picture, one wire that turns",
+  fill: "One shape, one wire all over it",
 };
 
 /** `running` is the job that a run is under way for. */

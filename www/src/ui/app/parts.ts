@@ -1,4 +1,5 @@
 import { LitElement } from "lit";
+import type { Job } from "../../state/studio";
 
 /**
  * The columns of the page. Each is a script of its own, since to run one with all of them keeps a slow machine from
@@ -8,9 +9,10 @@ export async function loadParts(): Promise<void> {
   await Promise.all([import("./parts-run"), import("./parts-pictures"), import("./parts-stage")]);
 }
 
-/** What only the second job needs comes when that is first looked at. */
-export async function loadStrokeParts(): Promise<void> {
-  await import("./parts-stroke");
+/** What only one of the other jobs needs comes when that is first looked at. */
+export async function loadPartsOf(job: Job): Promise<void> {
+  if (job === "stroke") await import("./parts-stroke");
+  if (job === "fill") await import("./parts-fill");
 }
 
 /** Resolves when everything below has been rendered. */

@@ -3,16 +3,18 @@ import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../../embed/looks";
 import { addressed } from "../../state/address/address";
 import { nextTask } from "../../state/next-task";
-import { deskOf, SLOTS, Studio, tableOf, type StudioState } from "../../state/studio";
+import { deskOf, SLOTS, Studio, tableOf, type Job, type StudioState } from "../../state/studio";
 import { layout, NARROW } from "./app-layout";
 import type { EditRequest } from "../pads/drawing-pad";
 import "./drop-hint";
 import "./live-region";
 import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
-import { loadParts, loadStrokeParts, rendered } from "./parts";
+import { loadParts, loadPartsOf, rendered } from "./parts";
 import { remember, remembered } from "../../state/keeping/remember";
 import type { ResultPanel } from "../run/result-panel";
+import type { ShapePad } from "../surface/shape-pad";
+import type { SurfaceResult } from "../surface/surface-result";
 import type { SavePanel } from "../save/save-panel";
 import { controls } from "../shared/shared";
 import { actionOf, isTaken, type Action } from "./shortcuts";
@@ -29,6 +31,13 @@ interface LookChange {
   readonly room: boolean;
 }
 
+const PANELS: Readonly<Record<Job, string>> = { multiview: "Pictures", stroke: "Picture", fill: "Shape" };
+const DROPS: Readonly<Record<Job, string>> = {
+  multiview: "pictures or a wire.json",
+  stroke: "a picture or a wire.json",
+  fill: "a mesh, a picture for its style, or a wire.json",
+};
+
 /** The whole page: its parts, and the wiring between them and the studio. */
 @customElement("wire-app")
 export class WireApp extends LitElement {
@@ -41,6 +50,7 @@ export class WireApp extends LitElement {
   /** Whether the object of the one picture is being painted. */
   @state() private brushing = false;
   @state() private editing: EditRequest | null = null;
+  @state() private throughNow: boolean | null = null;
   @state() private look: LookChange = { look: (remembered("look") as LookName | null) ?? "copper", room: remembered("room") !== "off" };
   @query("wire-stage") private stage!: WireStage;
   @query("result-panel") private result!: ResultPanel;
@@ -57,38 +67,47 @@ export class WireApp extends LitElement {
   override render() {
     const { studio, now, look, editing } = this;
     const idle = now.phase === "idle";
-    const one = now.doc.job === "stroke";
+    const { job } = now.doc;
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} @share=${() => void this.saving.copyLink()} @help=${() => void this.help()}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
-        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : "Pictures, at rest during a run"}>
+        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : `${PANELS[job]}, at rest during a run`}>
           <section
             id="part-pictures"
-            class=${one ? "one" : ""}
+            class=${job === "multiview" ? "" : "one"}
             role=${this.panel()}
-            aria-label=${one ? "Picture" : "Pictures"}
+            aria-label=${PANELS[job]}
             ?hidden=${this.folded("pictures")}
             @open-editor=${this.openEditor}
           >
-            ${one ? this.subject() : this.pads()}
+            ${job === "multiview" ? this.pads() : job === "stroke" ? this.subject() : this.shape()}
           </section>
         </div>
-        <wire-stage .job=${now.doc.job} .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></wire-stage>
+        <wire-stage
+          .job=${job}
+          .look=${look.look}
+          .room=${look.room}
+          .body=${job === "fill" ? now.surface : null}
+          .through=${this.through}
+          @look-change=${this.changeLook}
+          @see-through=${this.seeThrough}
+        ></wire-stage>
         ${this.narrow.matches ? nothing : this.timeLine()}
         ${editing
           ? html`<pad-editor .studio=${studio} .state=${now} .slot=${editing.slot} .tab=${editing.tab} @close-editor=${this.closeEditor}></pad-editor>`
           : nothing}
-        ${one && this.brushing && now.doc.subject ? this.maskEditor(now.doc.subject) : nothing}
+        ${job === "stroke" && this.brushing && now.doc.subject ? this.maskEditor(now.doc.subject) : nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
         <div class="right">
-          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })} @choose-picture=${this.choosePicture}></run-panel>
+          <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })} @choose-picture=${this.choosePicture} @choose-mesh=${this.chooseMesh}></run-panel>
           <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom}>
             ${this.narrow.matches ? this.timeLine() : nothing}
-            ${one
+            ${job === "stroke"
               ? html`<stroke-choices .studio=${studio} .state=${now}></stroke-choices>`
               : html`<run-choices .studio=${studio} .state=${now}></run-choices>`}
-            <result-panel .state=${now}></result-panel>
-            <wire-comparison .studio=${studio} .state=${now}></wire-comparison>
+            ${job === "fill" ? html`<surface-result .state=${now}></surface-result>` : nothing}
+            <result-panel .state=${now} ?hidden=${job === "fill"}></result-panel>
+            <wire-comparison .studio=${studio} .state=${now} ?hidden=${job === "fill"}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
             <save-panel .studio=${studio} .state=${now} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
@@ -106,9 +125,9 @@ export class WireApp extends LitElement {
             </settings-panel>
           </section>
         </div>
-        ${this.narrow.matches ? tabs(this.tab, one, (tab) => (this.tab = tab)) : nothing}
+        ${this.narrow.matches ? tabs(this.tab, job, (tab) => (this.tab = tab)) : nothing}
       </main>
-      <drop-hint ?locked=${!idle} ?one=${one} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
+      <drop-hint ?locked=${!idle} .what=${DROPS[job]} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region></live-region>
     `;
   }
@@ -135,6 +154,13 @@ export class WireApp extends LitElement {
       @give-depth=${({ detail }: Told<"give-depth">) => void sitting.giveDepth(detail.file, detail.name)}
       @clear-depth=${() => sitting.clearDepth()}
     ></subject-pad>`;
+  }
+
+  private shape() {
+    const { studio, now } = this;
+    return html`<shape-pad .studio=${studio} .state=${now}></shape-pad>
+      <style-shelf .studio=${studio} .state=${now}></style-shelf>
+      <fill-choices .studio=${studio} .state=${now}></fill-choices>`;
   }
 
   private maskEditor(subject: Subject) {
@@ -180,6 +206,7 @@ export class WireApp extends LitElement {
       "theme-change",
       () => {
         this.result.recolour();
+        this.renderRoot.querySelector<SurfaceResult>("surface-result")?.recolour?.();
         this.comparison.recolour();
       },
       { signal },
@@ -227,7 +254,8 @@ export class WireApp extends LitElement {
   private turnTo({ doc }: StudioState): void {
     this.editing = null;
     this.brushing = false;
-    if (doc.job === "stroke") void loadStrokeParts();
+    this.throughNow = null;
+    void loadPartsOf(doc.job);
     this.stage.flyTo("room");
   }
 
@@ -265,6 +293,23 @@ export class WireApp extends LitElement {
   };
 
   private readonly lookFrom = ({ detail }: CustomEvent<Heading>): void => this.stage.lookFrom(detail);
+
+  /** Whether the far side's lines are seen: a setting, or what somebody wants to see while a run keeps it as it is. */
+  private get through(): boolean {
+    return this.throughNow ?? this.studio.options.value("hidden_lines") === "true";
+  }
+
+  private readonly seeThrough = ({ detail }: CustomEvent<boolean>): void => {
+    const idle = this.now.phase === "idle";
+    this.throughNow = idle ? null : detail;
+    if (idle) this.studio.options.set("hidden_lines", String(detail));
+  };
+
+  private readonly chooseMesh = async (): Promise<void> => {
+    this.tab = "pictures";
+    await this.updateComplete;
+    this.renderRoot.querySelector<ShapePad>("shape-pad")?.openFile?.();
+  };
 
   /** An empty pad, with all the ways to fill it. */
   private readonly choosePicture = async (): Promise<void> => {

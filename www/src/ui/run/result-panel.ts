@@ -15,7 +15,7 @@ import { match, verdict } from "./verdict";
 /** One array, so that it changes nothing. */
 const FRONT = ["front"];
 const DASH = "–";
-const EXAMPLES: Readonly<Record<Job, string>> = {
+const EXAMPLES: Readonly<Partial<Record<Job, string>>> = {
   multiview: "Three pictures in one wire. Make it again to watch how it gets there.",
   stroke: "One wire draws the picture, and goes on round the back. Make it again to watch how it gets there.",
 };
@@ -140,7 +140,7 @@ export class ResultPanel extends Part {
     if (looking !== null) return "Looking back: numbers are for the finished wire.";
     if (running === doc.job) return notes.join(" ");
     if (!made) return "";
-    return made.source === "example" ? EXAMPLES[doc.job] : verdict(made);
+    return made.source === "example" ? (EXAMPLES[doc.job] ?? "") : verdict(made);
   }
 
   private numbers(made: Made | null): readonly (readonly [name: string, value: string])[] {

@@ -1,4 +1,4 @@
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
@@ -37,10 +37,12 @@ export class RunChoices extends Part {
   override render() {
     return html`
       ${settingChoice(this.studio, this.state, "preset", "best")}
-      <div>
-        ${settingChoice(this.studio, this.state, "bend", "little")}
-        <p class="small quiet">${this.outlook()}</p>
-      </div>
+      ${this.state.doc.job === "multiview"
+        ? html`<div>
+            ${settingChoice(this.studio, this.state, "bend", "little")}
+            <p class="small quiet">${this.outlook()}</p>
+          </div>`
+        : nothing}
     `;
   }
 

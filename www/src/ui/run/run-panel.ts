@@ -9,7 +9,7 @@ import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
 import { controls } from "../shared/shared";
 
-/** Run and what goes with it, and what is going on in words. Fires `draw` or `choose-picture` when a person wants to. */
+/** Run and what goes with it, and what is going on in words. Fires `draw`, `choose-picture` or `choose-mesh` when a person wants to. */
 @customElement("run-panel")
 export class RunPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
@@ -171,9 +171,12 @@ export class RunPanel extends Part {
 
   private idle(): TemplateResult {
     const example = showsExample(this.state);
+    const { job } = this.state.doc;
     return html`
-      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example ? "Make it again" : "Run"}</button>
-      ${this.state.doc.job === "stroke"
+      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example && !this.state.planned ? "Make it again" : job === "fill" ? "Cover it" : "Run"}</button>
+      ${job === "fill"
+        ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-mesh"))}>${icons.open} Open a mesh</button>`
+        : job === "stroke"
         ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-picture"))}>${icons.picture} ${example || given(this.state) === 0 ? "Use your own" : "Start over"}</button>`
         : html`<button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>`}
     `;
@@ -208,6 +211,7 @@ export class RunPanel extends Part {
     const { said, doc } = this.state;
     if (said) return said;
     if (showsExample(this.state)) return "An example. Nothing leaves this device.";
+    if (doc.job === "fill" && given(this.state) === 0) return "A wire needs a shape to cover.";
     if (doc.job === "stroke" && given(this.state) === 0) return "A wire needs a picture.";
     if (doc.job === "multiview" && given(this.state) < 2) return "A wire needs at least two drawings.";
     return "Ready. Nothing leaves this device.";
@@ -236,5 +240,6 @@ export class RunPanel extends Part {
 
 /** How many of what the job wants are there. */
 function given({ doc }: StudioState): number {
+  if (doc.job === "fill") return Number(doc.cover !== null);
   return doc.job === "stroke" ? Number(doc.subject !== null) : Object.values(doc.papers).filter(Boolean).length;
 }

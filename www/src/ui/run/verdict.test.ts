@@ -17,6 +17,7 @@ function made(views: readonly ViewMeasures[], more: { components?: number; setti
     wire: { closed: false, knots: [], controlPoints: [] },
     views: [],
     targets: views.map(({ name }, source) => target(name, source)),
+    shown: [],
     measures: { views, components: more.components ?? 1, connectivity_cost: 0, length: 20, control_points: 100, min_width: 0.01, max_width: 0.1 },
     file: new Uint8Array(),
     code: "",

@@ -2,6 +2,7 @@
 
 import type { ViewMeasures } from "../../engine/protocol";
 import type { Made } from "../../state/keeping/document";
+import { covered } from "../surface/covered";
 import { percent } from "../../state/words";
 
 const GOOD = 0.82;
@@ -17,6 +18,7 @@ export function match(view: ViewMeasures): number | null {
 }
 
 export function verdict(made: Made): string {
+  if (made.track?.given.job === "fill") return covered(made);
   const { measures } = made.finished;
   const views = measures.views.flatMap((view) => {
     const value = match(view);

@@ -2,6 +2,7 @@ import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../../engine/protocol";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
+import { solidName } from "../../state/surface/cover";
 import { labelsOf } from "../../state/run/track";
 import { viewWords } from "../../view/heading";
 import { Part } from "../../view/part";
@@ -104,7 +105,7 @@ export class SavePanel extends Part {
       ${this.byHand
         ? html`<label class="small quiet" for="link">Copy it from here:</label><input id="link" type="text" readonly .value=${this.byHand} />`
         : nothing}
-      <p class="small quiet">The link carries the whole wire; no server keeps it.</p>
+      <p class="small quiet">${this.carried()}</p>
       ${FIRST.map((kind) => this.file(kind, none))}
       <button class="file" ?disabled=${none || this.busy !== ""} @click=${() => void this.savePicture()}>
         ${icons.camera}<span><b>PNG</b><span class="small quiet">A picture of the stage</span></span>
@@ -123,6 +124,17 @@ export class SavePanel extends Part {
         ? html`<p class="small quiet">This browser keeps nothing between visits; save your wire to a file or link.</p>`
         : nothing}
     `;
+  }
+
+  private carried(): string {
+    const { doc, planned } = this.state;
+    const wire = "The link carries the whole wire; no server keeps it.";
+    if (doc.job !== "fill") return wire;
+    const { solid, style = null } = doc.cover ?? {};
+    const mesh = solid && !("shape" in solid);
+    const picture = style !== null && typeof style !== "string";
+    const stays = mesh && picture ? "Your mesh and your picture stay" : mesh ? "Your mesh stays" : picture ? "Your picture stays" : "";
+    return [planned && deskOf(doc).made ? "All of these are of the wire that was made last." : "", wire, stays && `${stays} on this device.`].filter(Boolean).join(" ");
   }
 
   async copyLink(): Promise<void> {
@@ -169,7 +181,7 @@ export class SavePanel extends Part {
   private keep(blob: Blob, ending: string): void {
     const { doc } = this.state;
     const { made } = deskOf(doc);
-    const given = doc.job === "stroke" ? [doc.subject?.picture.name ?? ""] : Object.values(doc.papers).map((paper) => paper?.label ?? "");
+    const given = doc.job === "fill" ? [doc.cover ? solidName(doc.cover.solid) : ""] : doc.job === "stroke" ? [doc.subject?.picture.name ?? ""] : Object.values(doc.papers).map((paper) => paper?.label ?? "");
     const labels = made?.track ? labelsOf(made.track) : made?.source === "example" ? given : [];
     const name = fileStem(labels) + ending;
     download(blob, name);

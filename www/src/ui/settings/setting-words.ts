@@ -33,7 +33,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   min_stroke: { label: "Thicken thin lines to", slider: [0, 12, 0.5] },
   max_stretch: { label: "Most stretching", slider: [1, 2, 0.05] },
 
-  start: { label: "First wire", choices: { tree: "Grown through the drawings", hull: "Inside their volume", ball: "In a ball" } },
+  start: { label: "First wire", choices: { tree: "Grown through the drawings", contour: "Along the outline, inwards", stripes: "Parallel lines, joined", tour: "A tour of points", hull: "Inside their volume", ball: "In a ball" } },
   reinit: { label: "Reuse points that vanish" },
   refine: { label: "Add points where needed" },
   smoothness: { label: "Smoothness", slider: [0, 5, 0.1] },
@@ -54,6 +54,20 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   side_views: { label: "Sides it is checked from", slider: [0, 12, 1] },
   side_weight: { label: "Weight of the sides", slider: [0, 2, 0.05] },
 
+  curve_spacing: { label: "Spacing of the lines", slider: [0.02, 0.2, 0.005] },
+  flow: { label: "Lines run", choices: { smooth: "As is smoothest", along: "Up and down", across: "Round it", style: "Along the style" } },
+  density: { label: "Density", slider: [0.1, 1, 0.05] },
+  style_strength: { label: "Style", slider: [0, 1, 0.05] },
+  style_size: { label: "Size of the style's picture", slider: [0.2, 2, 0.05] },
+  motif: { label: "The picture is laid on", choices: { box: "From six sides", front: "Once, from the front", off: "Not at all, only its texture" } },
+  hidden_lines: { label: "Lines on the far side" },
+  looks: { label: "Looked at from", choices: { sides: "Five sides", sphere: "Anywhere" } },
+  views_at_once: { label: "Views at once", slider: [1, 8, 1] },
+  jitter: { label: "Turned by up to", slider: [0, 45, 1] },
+  visibility: { label: "How suddenly lines vanish", slider: [5, 120, 5] },
+  visibility_bias: { label: "Half seen when so far behind", slider: [0, 0.2, 0.01] },
+  surface_pull: { label: "Held to the surface", slider: [0, 10, 0.25] },
+
   position_rate: { label: "Rate of positions", slider: [0.05, 2, 0.05] },
   width_rate: { label: "Rate of widths", slider: [0, 1, 0.01] },
   pyramid: { label: "Picture pyramid", choices: { average: "Averages", gaussian: "Gaussian" } },
@@ -64,7 +78,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   grid: { label: "Grid of the first wire", slider: [16, 160, 16] },
 };
 
-export const GROUPS: Readonly<Record<string, string>> = { run: "Run", wire: "Wire", views: "Views", stroke: "Stroke", fit: "Fit", expert: "Expert" };
+export const GROUPS: Readonly<Record<string, string>> = { run: "Run", wire: "Wire", views: "Views", stroke: "Stroke", surface: "Surface", fit: "Fit", expert: "Expert" };
 
 export function wordsFor(name: string): SettingWords {
   if (Object.hasOwn(WORDS, name)) return WORDS[name]!;

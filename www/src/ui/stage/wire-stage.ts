@@ -1,6 +1,7 @@
 import { css, html, nothing, svg, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
+import type { BodyShape } from "../../embed/body";
 import { LOOK_NAMES, lookOf, type LookName } from "../../embed/looks";
 import type { WireShape } from "../../embed/shape";
 import { Stage, StageUnavailable, type Vantage, type ViewName } from "../../embed/stage";
@@ -11,14 +12,18 @@ import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
 import { isDark } from "../app/theme";
 
-const VIEWS: readonly ViewName[] = ["room", "front", "side", "top"];
+const VIEWS: Readonly<Record<Job, readonly ViewName[]>> = {
+  multiview: ["room", "front", "side", "top"],
+  stroke: ["room", "front", "side", "top"],
+  fill: ["room", "front", "right", "back", "left", "top"],
+};
 const LOOK_WORDS: Readonly<Record<LookName, string>> = {
   copper: "Copper",
   steel: "Black steel",
   parameter: "Along the wire",
   width: "By width",
 };
-const VIEW_WORDS: Readonly<Record<Job, Readonly<Record<ViewName, string>>>> = {
+const VIEW_WORDS: Readonly<Record<Job, Readonly<Partial<Record<ViewName, string>>>>> = {
   multiview: {
     room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
     front: "Seen straight from the front, where the wire shows the first drawing.",
@@ -31,11 +36,20 @@ const VIEW_WORDS: Readonly<Record<Job, Readonly<Record<ViewName, string>>>> = {
     side: "Seen straight from the side.",
     top: "Seen straight from above.",
   },
+  fill: {
+    room: "The wire covers the shape, in the corner of a room.",
+    front: "Seen straight from the front.",
+    right: "Seen straight from the right.",
+    back: "Seen straight from behind.",
+    left: "Seen straight from the left.",
+    top: "Seen straight from above.",
+  },
 };
 /** Where the camera goes when a wire is done: from picture to picture, or once round. */
 const TOURS: Readonly<Record<Job, readonly Vantage[]>> = {
   multiview: ["front", "side", "top", "room"],
   stroke: ["front", from(45, 10), from(135, 10), from(225, 10), from(315, 10), "front", "room"],
+  fill: ["front", from(60, 15), from(120, 15), from(180, 15), from(240, 15), from(300, 15), "front", "room"],
 };
 function from(azimuth: number, elevation: number): Vantage {
   return { azimuthRad: (azimuth * Math.PI) / 180, elevationRad: (elevation * Math.PI) / 180 };
@@ -51,6 +65,7 @@ const ICONS = {
   closer: icon("M10 4v12M4 10h12"),
   further: icon("M4 10h12"),
   room: icon("M10 10.5V3m0 7.5L3 14.5m7-4 7 4M3 14.5V6l7-3 7 3v8.5L10 18z"),
+  far: icon("M10 3a7 7 0 1 0 0 14 7 7 0 0 0 0-14M3.2 9c2 2.6 11.6 2.6 13.6 0M5 14.5c2-1.3 3-1.5 5-1.5M10 13c2 0 3 .2 5 1.5"),
   more: icon("M3 6h6m4 0h4M3 14h2m4 0h8M9 6a2 2 0 1 0 4 0 2 2 0 0 0-4 0M5 14a2 2 0 1 0 4 0 2 2 0 0 0-4 0"),
 };
 
@@ -61,7 +76,7 @@ interface ButtonState {
 
 /**
  * The stage with its controls. Tells `hold` when a person takes hold of the camera, and `look-change` with
- * `{ look, room }` when they change how the wire looks.
+ * `{ look, room }` when they change how the wire looks, and `see-through` with whether they want to see the far side.
  */
 @customElement("wire-stage")
 export class WireStage extends Part {
@@ -70,6 +85,10 @@ export class WireStage extends Part {
   @property() look: LookName = "copper";
   /** Off: the wire alone. */
   @property({ type: Boolean }) room = true;
+  /** What the wire covers. */
+  @property({ attribute: false }) body: BodyShape | null = null;
+  /** Whether the wire is seen through it. */
+  @property({ type: Boolean }) through = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   @state() private problem = false;
   @state() private lost = false;
@@ -188,6 +207,10 @@ export class WireStage extends Part {
         }
       }
       @container (max-width: 660px) {
+        .views.many button {
+          min-width: 0;
+          padding: 0 6px;
+        }
         .bar {
           flex-wrap: nowrap;
         }
@@ -270,15 +293,15 @@ export class WireStage extends Part {
       )}
       <div class="ring"></div>
       ${this.lost ? html`<p class="lost" role="status">The graphics card is busy elsewhere. The picture comes back by itself.</p>` : nothing}
-      <p id="view" class="unseen">${this.view ? VIEW_WORDS[this.job][this.view] : "Turned by hand."}</p>
+      <p id="view" class="unseen">${(this.named && VIEW_WORDS[this.job][this.named]) ?? "Turned by hand."}</p>
       <p id="keys" class="unseen">
-        Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the side and the top, F the
-        whole room.
+        Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the ${this.job === "fill" ? "right" : "side"} and
+        the top, F the whole room.
       </p>
       <div class="bar">
-        <div class="group views" role="group" aria-label="Look from">
-          ${VIEWS.map(
-            (view) => html`<button aria-pressed=${String(view === this.view)} @click=${() => this.take(() => this.flyTo(view))}>${view}</button>`,
+        <div class="group views ${VIEWS[this.job].length > 4 ? "many" : ""}" role="group" aria-label="Look from">
+          ${VIEWS[this.job].map(
+            (view) => html`<button aria-pressed=${String(view === this.named)} @click=${() => this.take(() => this.flyTo(view))}>${view}</button>`,
           )}
         </div>
         <div class="group toggle">
@@ -296,10 +319,16 @@ export class WireStage extends Part {
               ${LOOK_NAMES.map((look) => html`<option value=${look} ?selected=${look === this.look}>${LOOK_WORDS[look]}</option>`)}
             </select>
             ${this.square("room", "Room with the shadows", this.toggleRoom, { pressed: this.room })}
+            ${this.job === "fill" ? this.square("far", "Lines on the far side", () => this.tell("see-through", !this.through), { pressed: this.through }) : nothing}
           </div>
         </div>
       </div>
     `;
+  }
+
+  /** The view by the name of its button: here the right is a side. */
+  private get named(): ViewName | null {
+    return this.job === "fill" && this.view === "side" ? "right" : this.view;
   }
 
   private square(name: keyof typeof ICONS, label: string, action: () => void, { pressed, expanded }: ButtonState = {}): TemplateResult {
@@ -363,6 +392,8 @@ export class WireStage extends Part {
   protected override updated(changed: PropertyValues<this>): void {
     if (!this.stage && !this.problem && this.isConnected) void nextTask().then(() => this.start());
     else if (changed.has("look") || changed.has("room")) this.relook();
+    if (changed.has("body")) this.stage?.setBody(this.body);
+    if (changed.has("through")) this.stage?.seeThrough(this.through);
   }
 
   private start(): void {
@@ -376,6 +407,8 @@ export class WireStage extends Part {
         unavailable: () => this.stayHere(),
       };
       this.stage = new Stage(this.canvas, lookOf(this.look, isDark(), this.room), events, worker);
+      if (this.body) this.stage.setBody(this.body);
+      this.stage.seeThrough(this.through);
       this.stage.setWire(this.wire);
       this.stage.sway(this.swaying);
     } catch (error) {

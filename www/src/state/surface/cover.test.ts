@@ -1,0 +1,30 @@
+import { expect, it } from "vitest";
+import { curveKey, solidName, wordsOf, type Cover } from "./cover";
+
+const vase: Cover = { solid: { shape: "vase" }, style: "waves" };
+const own: Cover = { solid: { key: "k1", name: "bunny.obj", file: new Blob() }, style: null };
+const key = (cover: Cover, changed: Readonly<Record<string, string>> = {}) =>
+  curveKey(cover, (name) => changed[name] ?? { curve_spacing: "0.06", flow: "smooth", start: "stripes", seed: "0", density: "0.5", style_size: "0.9", motif: "box" }[name] ?? "");
+
+it("tells apart what makes another curve, and nothing else", () => {
+  for (const [name, value] of [["curve_spacing", "0.1"], ["flow", "along"], ["start", "tour"], ["seed", "1"]] as const) expect(key(vase, { [name]: value })).not.toBe(key(vase));
+  expect(key(vase, { density: "0.9", style_size: "2" })).toBe(key(vase));
+  expect(key({ ...vase, style: "petals" })).toBe(key(vase));
+  expect(key({ ...vase, solid: { shape: "knot" } })).not.toBe(key(vase));
+});
+
+it("minds the style where lines follow it", () => {
+  const flow = { flow: "style" };
+  expect(key({ ...vase, style: "petals" }, flow)).not.toBe(key(vase, flow));
+  expect(key(vase, { ...flow, style_size: "2" })).not.toBe(key(vase, flow));
+});
+
+it("tells one file from its namesake", () => {
+  expect(key(own)).not.toBe(key({ ...own, solid: { key: "k2", name: "bunny.obj", file: new Blob() } }));
+});
+
+it("puts into words what can travel", () => {
+  expect(wordsOf(vase)).toEqual({ shape: "vase", style: "waves" });
+  expect(wordsOf(own)).toEqual({ shape: null, style: null });
+  expect([solidName(vase.solid), solidName(own.solid)]).toEqual(["Vase", "bunny.obj"]);
+});

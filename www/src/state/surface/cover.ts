@@ -1,0 +1,55 @@
+/** What a person has covered: a shape, and the style that the wire takes on. Immutable, without elements. */
+
+import { PATTERNS, SHAPES, type Covered, type PatternName, type ShapeName, type Solid } from "../../engine/protocol";
+import type { KeptPicture } from "../drawing/paper";
+import { pixelsOf } from "../drawing/picture";
+
+export { PATTERNS, SHAPES, type PatternName, type ShapeName, type Solid } from "../../engine/protocol";
+
+export interface Cover {
+  readonly solid: Solid;
+  /** By formula, or a person's own picture. */
+  readonly style: PatternName | KeptPicture | null;
+}
+
+/** Of a link: what of a cover can travel. */
+export interface CoverWords {
+  readonly shape: ShapeName | null;
+  readonly style: PatternName | null;
+}
+
+export const isShape = (word: string | null): word is ShapeName => SHAPES.some((shape) => shape === word);
+export const isPattern = (word: string | null): word is PatternName => PATTERNS.some((pattern) => pattern === word);
+
+/** "Creature", or what the file is called. */
+export function solidName(solid: Solid): string {
+  return "shape" in solid ? solid.shape.charAt(0).toUpperCase() + solid.shape.slice(1) : solid.name;
+}
+
+/** Tells one shape from every other. */
+export const solidKey = (solid: Solid): string => ("shape" in solid ? solid.shape : solid.key);
+
+/** Tells one style from another, as far as the curve is concerned. */
+export function styleName(style: Cover["style"]): string {
+  return style === null ? "" : typeof style === "string" ? style : style.name;
+}
+
+export function wordsOf({ solid, style }: Cover): CoverWords {
+  return { shape: "shape" in solid ? solid.shape : null, style: typeof style === "string" ? style : null };
+}
+
+/** As the engine wants it. */
+export async function coveredOf({ solid, style }: Cover): Promise<Covered> {
+  return { solid, style: style === null || typeof style === "string" ? style : await pixelsOf(style) };
+}
+
+/** The settings that say where the curve runs; the others only bend and thicken it. */
+const CURVE_SETTINGS = ["curve_spacing", "flow", "start", "seed"] as const;
+/** Those that do so where lines follow the style. */
+const STYLE_SETTINGS = ["style_size", "motif"] as const;
+
+/** Tells curves apart: two covers with the same one have the same curve. `value` gives a setting's value. */
+export function curveKey({ solid, style }: Cover, value: (name: string) => string): string {
+  const styled = value("flow") === "style" ? [styleName(style), ...STYLE_SETTINGS.map(value)] : [];
+  return [solidKey(solid), ...CURVE_SETTINGS.map(value), ...styled].join("|");
+}

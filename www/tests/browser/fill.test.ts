@@ -1,0 +1,280 @@
+/** One wire all over a shape, as people make it: from a shape to a closed wire, and everything back after a reload. */
+
+import { readFileSync } from "node:fs";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { axeFaults } from "./a11y";
+import { choose, contextWithProfile, idle, launch, picture, requestsElsewhere, serveDist, shoot, visit, type Site } from "./browser";
+import { dropFiles } from "./gestures";
+
+let browser: Browser;
+let site: Site;
+
+beforeAll(async () => {
+  browser = await launch();
+  site = await serveDist("/some/where/");
+});
+afterAll(async () => {
+  await browser.close();
+  site.server.close();
+});
+
+const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
+const shape = (page: Page, name: string) => page.locator(`shape-pad input[value=${name}]`);
+const style = (page: Page, name: string) => page.locator(`style-shelf input[value=${name}]`);
+const cover = (page: Page) => page.getByRole("button", { name: /^\s*(Cover it|Make it again)\s*$/ });
+const verdict = (page: Page) => page.locator("surface-result .verdict").textContent();
+const figure = async (page: Page, name: string) => page.locator("surface-result div", { has: page.getByText(name, { exact: true }) }).last().locator("dd").textContent();
+const part = async (page: Page, name: string) => {
+  const tab = page.getByRole("tab", { name, exact: true });
+  if (await tab.count()) await tab.click();
+};
+
+/** How the wire would run is shown, as it is set now. */
+async function planned(page: Page): Promise<void> {
+  // A change is looked at only after a moment.
+  await page.waitForTimeout(400);
+  await page.locator("fill-choices .laying:not(.busy)").getByText(/Shown as they/).waitFor({ state: "attached", timeout: 60_000 });
+}
+
+async function toAShape(page: Page): Promise<void> {
+  await page.getByRole("tab", { name: "A shape" }).click();
+  await shape(page, "sphere").waitFor({ state: "attached" });
+  await page.getByText(/triangles\./).waitFor({ timeout: 60_000 });
+}
+
+/** Something to cover that is quick on a slow machine. */
+async function quick(page: Page, iterations = "20"): Promise<void> {
+  await shape(page, "sphere").check({ force: true });
+  await page.locator("fill-choices #curve_spacing").fill("0.16");
+  await planned(page);
+  await part(page, "Run");
+  await choose(page, "preset", "fast");
+  await part(page, "Settings");
+  // Smaller pictures have no room for a style.
+  await choose(page, "size", "128");
+  await choose(page, "iterations", iterations);
+  await part(page, "Run");
+}
+
+/** A box as an OBJ file, so many faces a side. */
+function box(): Buffer {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${(i >> 1) & 1} ${i >> 2}`);
+  const faces = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"].map((corners) => `f ${corners}`);
+  return Buffer.from([...corners, ...faces].join("\n"));
+}
+
+it("covers a shape, measures it, saves the closed wire, and brings all of it back", async () => {
+  const context = await contextWithProfile(browser, { viewport: { width: 1440, height: 900 }, acceptDownloads: true });
+  const visited = await visit(context, site.url);
+  const { page } = visited;
+  await toAShape(page);
+  // Every style has its picture.
+  await expect
+    .poll(() =>
+      page.locator("style-shelf canvas").evaluateAll((canvases) => {
+        const shown = (canvases as HTMLCanvasElement[]).map((canvas) => canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value, i) => (31 * sum + value * (i % 7)) | 0, 0));
+        return new Set(shown).size;
+      }),
+    )
+    .toBe(5);
+  await quick(page);
+  await style(page, "waves").check({ force: true });
+  await cover(page).click();
+  await phase(page, "running");
+  await idle(page);
+  const said = await verdict(page);
+  expect(said).toMatch(/Every spot is within \d+\.\d% of the shape’s size of the wire/);
+  expect(await figure(page, "Pieces")).toBe("1");
+  expect(parseFloat((await figure(page, "Length"))!)).toBeGreaterThan(20);
+  expect(await figure(page, "Off the surface")).toMatch(/^\d+\.\d%$/);
+  expect(await page.locator("surface-result canvas").count()).toBe(5);
+  await page.locator("strand-histogram svg").waitFor();
+  expect(await page.locator("time-line .marks li").count()).toBeGreaterThan(0);
+  await page.locator("surface-result").getByRole("button", { name: /left/i }).click();
+
+  // The exports are of a closed wire: its last ring is its first, and nothing is capped.
+  const saved = async (name: RegExp) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator("save-panel").getByRole("button", { name }).click()]);
+    return readFileSync((await download.path())!);
+  };
+  await page.locator("save-panel summary").click();
+  const wire = JSON.parse((await saved(/^\s*wire\.json/)).toString()) as { closed: boolean; views: { name: string }[] };
+  expect(wire.closed).toBe(true);
+  expect(wire.views.map(({ name }) => name)).toEqual(["front", "right", "back", "left", "top"]);
+  expect((await saved(/^\s*GLB/)).subarray(0, 4).toString()).toBe("glTF");
+  const stl = await saved(/^\s*STL/);
+  expect(stl.length).toBe(84 + 50 * stl.readUInt32LE(80));
+  expect(openEdges(stl)).toBe(0);
+  expect((await saved(/^\s*SVG/)).toString()).toMatch(/<svg/);
+
+  // Another spacing shows how it would run, and leaves what was made where it is.
+  await page.locator("fill-choices #curve_spacing").fill("0.12");
+  await planned(page);
+  expect(await verdict(page)).toMatch(/another way now/);
+  await page.locator("save-panel").getByText(/of the wire that was made last/).waitFor();
+  await page.getByRole("button", { name: /^Undo/ }).click();
+  await expect.poll(() => verdict(page)).toBe(said);
+
+  await page.waitForTimeout(600);
+  await page.reload();
+  await idle(page);
+  await expect.poll(() => verdict(page), { timeout: 60_000 }).toBe(said);
+  expect(await shape(page, "sphere").isChecked()).toBe(true);
+  expect(await style(page, "waves").isChecked()).toBe(true);
+  expect(visited.faults).toEqual([]);
+  expect(requestsElsewhere(visited)).toEqual([]);
+  await context.close();
+});
+
+/** Edges of an STL's triangles that are not in two of them. */
+function openEdges(stl: Buffer): number {
+  const edges = new Map<string, number>();
+  for (let at = 84; at < stl.length; at += 50) {
+    const corners = [0, 1, 2].map((k) => stl.subarray(at + 12 + 12 * k, at + 24 + 12 * k).toString("hex"));
+    for (let k = 0; k < 3; k++) {
+      const key = [corners[k]!, corners[(k + 1) % 3]!].toSorted().join();
+      edges.set(key, (edges.get(key) ?? 0) + 1);
+    }
+  }
+  return [...edges.values()].filter((count) => count % 2 !== 0).length;
+}
+
+it("takes a mesh and a picture of one's own, keeps them, and says what is wrong with others", async () => {
+  const context = await contextWithProfile(browser, { viewport: { width: 1440, height: 900 } });
+  const { page, faults } = await visit(context, site.url);
+  await toAShape(page);
+  await dropFiles(page, page.locator("wire-stage"), [{ name: "box.obj", buffer: box() }]);
+  await page.locator("shape-pad #open.chosen").getByText("box.obj").waitFor();
+  await page.locator("shape-pad").getByText(/^\s*12 triangles/).waitFor();
+  await dropFiles(page, page.locator("wire-stage"), [{ name: "cross.png", buffer: await picture(page, 200, 200, "cross") }]);
+  await page.locator("style-shelf #own.chosen").getByText("cross.png").waitFor();
+  await page.locator("fill-choices #curve_spacing").fill("0.16");
+  await planned(page);
+
+  for (const [name, bytes] of [["broken.obj", "v 0 0"], ["empty.stl", ""], ["archive.obj", "PK\u0003\u0004 and so on"], ["scene.blend", "BLENDER"]] as const) {
+    await dropFiles(page, page.locator("wire-stage"), [{ name, buffer: Buffer.from(bytes) }]);
+    await page.locator("shape-pad").getByRole("alert").getByText(name.split(".")[0]!, { exact: false }).waitFor();
+    await page.locator("shape-pad").getByRole("button", { name: "Close this message" }).click();
+  }
+  await page.locator("shape-pad #open.chosen").getByText("box.obj").waitFor();
+
+  // They come back, and do not travel.
+  await page.waitForTimeout(600);
+  await page.reload();
+  await page.locator("shape-pad #open.chosen").getByText("box.obj").waitFor();
+  await page.locator("style-shelf #own.chosen").getByText("cross.png").waitFor();
+  await page.locator("shape-pad").getByText(/^\s*12 triangles/).waitFor({ timeout: 60_000 });
+  await page.locator("save-panel").getByText(/Your mesh and your picture stay on this device/).waitFor();
+  expect(new URL(page.url()).hash).not.toMatch(/shape=|style=/);
+  expect(faults).toEqual([]);
+  await context.close();
+});
+
+it("carries the shape, the style, the wire and its settings in a link", async () => {
+  const { page, faults } = await visit(browser, site.url);
+  await toAShape(page);
+  await quick(page);
+  await style(page, "leaves").check({ force: true });
+  await expect.poll(() => new URL(page.url()).hash).toMatch(/^#v=1&job=fill&shape=sphere&style=leaves&/);
+  await cover(page).click();
+  await phase(page, "running");
+  await page.getByRole("button", { name: "Stop" }).click();
+  await idle(page);
+  await page.getByRole("button", { name: "Share" }).click();
+  await expect.poll(() => new URL(page.url()).hash).toMatch(/^#v=1&job=fill&shape=sphere&style=leaves&w=[\w-]{300,}&/);
+  const link = page.url();
+  expect(faults).toEqual([]);
+  await page.context().close();
+  const { page: other, faults: otherFaults } = await visit(browser, link);
+  await expect.poll(() => other.getByRole("tab", { name: "A shape" }).getAttribute("aria-selected")).toBe("true");
+  await expect.poll(() => shape(other, "sphere").isChecked()).toBe(true);
+  expect(await style(other, "leaves").isChecked()).toBe(true);
+  await expect.poll(() => verdict(other), { timeout: 60_000 }).toMatch(/One closed wire/);
+  expect(await other.locator("fill-choices #curve_spacing").inputValue()).toBe("0.16");
+  await expect.poll(() => figure(other, "Pieces")).toBe("1");
+  expect(otherFaults).toEqual([]);
+  await other.context().close();
+});
+
+it("does it all by keys", async () => {
+  const { page, faults } = await visit(browser, site.url, { viewport: { width: 1440, height: 900 } });
+  const focused = () =>
+    page.evaluate(() => {
+      let at = document.activeElement;
+      while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+      return `${at?.id ?? ""} ${(at as HTMLInputElement | null)?.value ?? ""} ${at?.getAttribute("aria-label") ?? ""} ${at?.textContent?.trim() ?? ""}`;
+    });
+  const tabTo = async (what: RegExp) => {
+    for (let i = 0; i < 80 && !what.test(await focused()); i++) await page.keyboard.press("Tab");
+    expect(await focused()).toMatch(what);
+  };
+  await idle(page);
+  await tabTo(/tab-multiview/);
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(focused).toMatch(/tab-stroke/);
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(focused).toMatch(/tab-fill/);
+  await page.getByText(/triangles\./).waitFor({ timeout: 60_000 });
+  await tabTo(/creature/);
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(() => shape(page, "sphere").isChecked()).toBe(true);
+  await tabTo(/petals/);
+  await page.keyboard.press("ArrowLeft");
+  await expect.poll(() => style(page, "none").isChecked()).toBe(true);
+  await tabTo(/curve_spacing/);
+  await page.keyboard.press("End");
+  await planned(page);
+  await tabTo(/density/);
+  await page.keyboard.press("ArrowRight");
+  expect(await page.locator("fill-choices #density").getAttribute("aria-valuetext")).toBe("55% wire");
+  await tabTo(/Lines on the far side/);
+  await page.keyboard.press("Enter");
+  await page.locator("wire-stage").getByRole("button", { name: "Lines on the far side", pressed: true }).waitFor();
+  await page.locator("body").click({ position: { x: 720, y: 20 } });
+  await page.keyboard.press("2");
+  await page.locator("wire-stage").getByRole("button", { name: "right", exact: true, pressed: true }).waitFor();
+  await tabTo(/Cover it/);
+  await page.keyboard.press("Enter");
+  await phase(page, "running");
+  await tabTo(/Stop/);
+  await page.keyboard.press("Enter");
+  await idle(page);
+  expect(await verdict(page)).toMatch(/stopped early/);
+  expect(faults).toEqual([]);
+  await page.context().close();
+});
+
+for (const [width, height] of [[1440, 900], [820, 1180], [360, 740]] as const) {
+  for (const colorScheme of ["light", "dark"] as const) {
+    it(`is free of faults at ${width} px, ${colorScheme}`, async () => {
+      const { page, faults } = await visit(browser, site.url, { viewport: { width, height }, colorScheme, hasTouch: width < 900 });
+      const look = async (state: string) => {
+        await shoot(page, `fill-${state}-${width}-${colorScheme}`);
+        expect(await axeFaults(page)).toEqual([]);
+        const [wide, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        expect(wide).toBeLessThanOrEqual(window!);
+      };
+      await page.evaluate(() => document.fonts.ready);
+      await toAShape(page);
+      await page.waitForTimeout(4000);
+      await look("first-visit");
+      await page.locator("fill-choices").scrollIntoViewIfNeeded();
+      await look("choices");
+      await quick(page);
+      await cover(page).click();
+      await phase(page, "running");
+      await idle(page);
+      await page.waitForTimeout(3000);
+      await look("finished");
+      await page.locator("surface-result").evaluate((element) => element.scrollIntoView({ block: "end" }));
+      await look("measured");
+      await part(page, "Settings");
+      await page.locator("settings-panel summary").filter({ hasText: /^\s*Surface/ }).click();
+      await page.locator("setting-control[data-setting=surface_pull]").scrollIntoViewIfNeeded();
+      await look("settings");
+      expect(faults).toEqual([]);
+      await page.context().close();
+    });
+  }
+}
