@@ -10,9 +10,10 @@ use proptest::test_runner::RngSeed;
 use wire4d::Error;
 use wire4d::optimize::{
     Bending, Checkpoint, CpuEngine, Engine, Event, EventKind, Moment, NewPoint, Picture, Place, Problem, RasterKind,
-    Recipe, Refine, Reinit, Scene, SceneView, Session, Stage, State, Step, Tally, TopologyEdit, TopologyEvent, Work,
+    Recipe, Refine, Reinit, Scene, SceneView, Seen, Session, Stage, State, Step, Tally, TopologyEdit, TopologyEvent,
+    Work,
 };
-use wire4d::view::Image;
+use wire4d::view::{Image, Target};
 
 /// Two stages, a restart, bending, two re-initialisations and a refinement in 60 iterations.
 fn eventful() -> Problem {
@@ -430,17 +431,15 @@ fn targets_can_be_exchanged_on_the_way() {
     let problem = eventful();
     let mut others = problem.targets.clone();
     others.iter_mut().for_each(|target| target.ink.data.reverse());
+    let seen = |targets: &[Target]| Seen { targets: targets.to_vec(), ..Seen::default() };
     let mut session = Session::new(problem.clone()).unwrap();
     session.step(10);
-    assert!(
-        matches!(session.set_views(others[..2].to_vec(), Vec::new()), Err(Error::Pictures { .. })),
-        "fewer of them"
-    );
+    assert!(matches!(session.set_views(seen(&others[..2])), Err(Error::Pictures { .. })), "fewer of them");
     let mut bright = others.clone();
     bright[1].ink.data[0] = 2.0;
-    assert!(session.set_views(bright, Vec::new()).is_err(), "ink that is none");
+    assert!(session.set_views(seen(&bright)).is_err(), "ink that is none");
     assert_eq!(session.problem().targets, problem.targets, "what is refused changes nothing");
-    session.set_views(others.clone(), Vec::new()).unwrap();
+    session.set_views(seen(&others)).unwrap();
     assert_eq!(session.best(), session.wire(), "losses so far are no measure any more");
     session.step(1);
     // The same as a session of those targets from there.

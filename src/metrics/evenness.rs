@@ -152,7 +152,7 @@ mod tests {
         let corners = vec![[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [0.5, 0.5, 0.0], [-0.5, 0.5, 0.0]];
         let rows = (1.0 / every).round() as usize;
         let point = |k: usize| {
-            let x = if (k + 1) / 2 % 2 == 0 { -0.5 } else { 0.5 };
+            let x = if k.div_ceil(2).is_multiple_of(2) { -0.5 } else { 0.5 };
             [x, -0.5 + every * ((k / 2) as f64 + 0.5), 0.0]
         };
         let mesh = Mesh::new("square", corners, vec![[0, 1, 2], [0, 2, 3]]).unwrap();

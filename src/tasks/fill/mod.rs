@@ -76,6 +76,8 @@ const MOST_POINTS: usize = 16_000;
 const TONES: [f64; 2] = [0.2, 1.8];
 /// Crops of a view in which its texture is looked at, and their side as a share of the view's.
 const CROPS: (usize, f64) = (6, 0.4);
+/// Views in which any style's lines are large enough, px a side.
+const LARGE_PX: usize = 512;
 /// Share of the positions' step size where no style asks strands to bend: the density is a matter of width.
 const STILL: f64 = 0.1;
 /// Weight of the texture at full strength.
@@ -126,17 +128,25 @@ pub fn cover(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -
 /// # Errors
 /// [`Error::Picture`] for a style that shows nothing.
 pub fn plan_over(given: &Given, filling: Filling, settings: &Settings) -> Result<Plan> {
-    let texture = match &given.style {
-        Some(style) if settings.style_strength > 0.0 => Some(Arc::new(texture(style, settings)?)),
-        _ => None,
-    };
+    let mut notes: Vec<String> = given.notes.iter().chain(&filling.notes).cloned().collect();
+    let mut texture = None;
+    if let Some(style) = given.style.as_ref().filter(|_| settings.style_strength > 0.0) {
+        match self::texture(style, settings, settings.size) {
+            Ok(found) => texture = Some(Arc::new(found)),
+            Err(error) => {
+                // A picture of lines that are too small in views of this size still says where ink goes.
+                self::texture(style, settings, LARGE_PX).map_err(|_| error)?;
+                notes.push("the views are too small for the style's texture: only its tones are used".to_owned());
+            }
+        }
+    }
     let mut plan = Plan {
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
         nearest: Arc::new(Nearest::new(&given.mesh)),
         motif: given.motif(settings),
         texture,
-        notes: given.notes.iter().chain(&filling.notes).cloned().collect(),
+        notes,
         filling,
         targets: Vec::new(),
     };
@@ -166,11 +176,11 @@ fn world_per_px(settings: &Settings) -> f64 {
     1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
 }
 
-/// The statistics of a style's picture as large as it appears in a view.
-fn texture(style: &Style, settings: &Settings) -> Result<Texture> {
+/// The statistics of a style's picture as large as it appears in a view of `view_px` pixels a side.
+fn texture(style: &Style, settings: &Settings, view_px: usize) -> Result<Texture> {
     let side = style.ink.width.min(style.ink.height).max(1) as f64;
-    let scale = settings.style_size / world_per_px(settings) / side;
-    Texture::of(&style.name, &style.ink, &TextureOptions { scale, ..TextureOptions::for_view(settings.size) })
+    let side_px = settings.style_size / world_per_px(settings) * view_px as f64 / settings.size as f64;
+    Texture::of(&style.name, &style.ink, &TextureOptions { scale: side_px / side, ..TextureOptions::for_view(view_px) })
 }
 
 /// How much a place faces the eye: 1 for most, down to 0 at the silhouette, where a motif would be finer than pixels.
