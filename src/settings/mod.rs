@@ -376,7 +376,7 @@ settings! {
     Surface /// How strongly the style bends and thickens the wire: 0 not at all.
     style_strength: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 };
     Surface /// Side of the style's picture on the surface.
-    style_size: f64 = 1.4, "world units", Number { min: 0.1, max: 4.0 };
+    style_size: f64 = 1.2, "world units", Number { min: 0.1, max: 4.0 };
     Surface /// How the style's picture is laid on the surface: box from six sides, front once; off only asks for its texture.
     motif: Motif = Motif::Box, "", Choice { choices: Motif::WORDS };
     Surface /// Draw lines on the far side too.
@@ -475,7 +475,7 @@ impl Settings {
             max_width: 7.0,
             position_rate: 0.2,
             width_rate: 0.1,
-            smoothness: 15.0,
+            smoothness: 6.0,
             coarse_share: 0.0,
             level_weight: 1.0,
             ..several.clone()

@@ -65,7 +65,9 @@ pub struct Plan {
 }
 
 /// Path between two control points of the first wire, as shares of the lines' distance: the first that is fine enough.
-const PATHS_PER_POINT: [f64; 4] = [1.7, 1.3, 1.0, 0.7];
+const PATHS_PER_POINT: [f64; 4] = [1.7, 1.3, 1.0, 0.75];
+/// The first of them that lets strands bend as a style asks.
+const STYLED: usize = 3;
 /// The wire may be off the curve by this share of the lines' distance.
 const FIT_TOLERANCE: f64 = 0.1;
 /// Weight of the smoothing in that fit.
@@ -81,7 +83,7 @@ const LARGE_PX: usize = 512;
 /// Share of the positions' step size where no style asks strands to bend: the density is a matter of width.
 const STILL: f64 = 0.1;
 /// Weight of the texture at full strength.
-const TEXTURE_WEIGHT: f64 = 0.02;
+const TEXTURE_WEIGHT: f64 = 0.3;
 /// Cosine between the normal and the way to the eye from which on a place faces it.
 const FACING: f64 = 0.4;
 /// Weight of the pull to the surface at 1 in the settings: strands stay within a tenth of their distance.
@@ -290,7 +292,7 @@ impl Plan {
     fn fitted(&self, path: &start::Path, spacing: f64) -> Result<Wire> {
         let length = start::length(path);
         let mut found = None;
-        for share in PATHS_PER_POINT {
+        for share in &PATHS_PER_POINT[if self.motif.is_some() { STYLED } else { 0 }..] {
             let count = ((length / (share * spacing)).round() as usize).clamp(8, MOST_POINTS);
             let wire = start::fitted(path, count, FIT_SMOOTHING)?;
             let error = start::fit_error(path, &wire);
