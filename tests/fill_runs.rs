@@ -101,7 +101,7 @@ fn a_styles_picture_shows_and_another_does_not() {
     let likeness = |run: &Run| correlation(&run.draw(&run.sculpture().wire, 0), target, target);
     let (own, plain) = (likeness(&petals), likeness(&finished(&given(None), &settings)));
     let other = likeness(&finished(&given(Some(Pattern::Waves)), &settings));
-    assert!(own > 0.5 && plain < 0.35 && other < 0.35, "{own} {plain} {other}");
+    assert!(own > 0.3 && own > 3.0 * plain.max(other), "{own} {plain} {other}");
 }
 
 #[test]

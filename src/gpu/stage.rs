@@ -131,10 +131,66 @@ pub struct Stage {
     pub(super) over: Over,
 }
 
+/// A shader's text as it is shipped: see [`bare`].
 macro_rules! text {
-    ($name:literal) => {
-        include_str!(concat!("../../shaders/", $name, ".wgsl"))
-    };
+    ($name:literal) => {{
+        const WHOLE: &[u8] = include_bytes!(concat!("../../shaders/", $name, ".wgsl"));
+        const BARE: [u8; bare_length(WHOLE)] = bare(WHOLE);
+        match std::str::from_utf8(&BARE) {
+            Ok(text) => text,
+            Err(_) => panic!("shaders are UTF-8"),
+        }
+    }};
+}
+
+/// How many bytes [`bare`] leaves.
+const fn bare_length(whole: &[u8]) -> usize {
+    let (mut at, mut length) = (0, 0);
+    while at < whole.len() {
+        let (from, to, next) = line(whole, at);
+        length += if to > from { to - from + 1 } else { 0 };
+        at = next;
+    }
+    length
+}
+
+/// A shader's lines without indentation, comments (`//` to the end of the line) and blank ones: visitors would only wait
+/// for those.
+const fn bare<const LENGTH: usize>(whole: &[u8]) -> [u8; LENGTH] {
+    let mut text = [b'\n'; LENGTH];
+    let (mut at, mut length) = (0, 0);
+    while at < whole.len() {
+        let (mut from, to, next) = line(whole, at);
+        while from < to {
+            text[length] = whole[from];
+            (from, length) = (from + 1, length + 1);
+            if from == to {
+                length += 1;
+            }
+        }
+        at = next;
+    }
+    text
+}
+
+/// Of the line at `at`: where its code starts and ends, and where the next line is.
+const fn line(whole: &[u8], at: usize) -> (usize, usize, usize) {
+    let mut from = at;
+    while from < whole.len() && whole[from] == b' ' {
+        from += 1;
+    }
+    let mut to = from;
+    while to < whole.len()
+        && whole[to] != b'\n'
+        && !(whole[to] == b'/' && to + 1 < whole.len() && whole[to + 1] == b'/')
+    {
+        to += 1;
+    }
+    let mut next = to;
+    while next < whole.len() && whole[next] != b'\n' {
+        next += 1;
+    }
+    (from, to, next + 1)
 }
 
 impl Stage {

@@ -65,9 +65,9 @@ pub struct Plan {
 }
 
 /// Path between two control points of the first wire, as shares of the lines' distance: the first that is fine enough.
-const PATHS_PER_POINT: [f64; 4] = [1.7, 1.3, 1.0, 0.75];
+const PATHS_PER_POINT: [f64; 5] = [1.7, 1.3, 1.0, 0.75, 0.55];
 /// The first of them that lets strands bend as a style asks.
-const STYLED: usize = 3;
+const STYLED: usize = 4;
 /// The wire may be off the curve by this share of the lines' distance.
 const FIT_TOLERANCE: f64 = 0.1;
 /// Weight of the smoothing in that fit.
@@ -82,8 +82,8 @@ const CROPS: (usize, f64) = (6, 0.4);
 const LARGE_PX: usize = 512;
 /// Share of the positions' step size where no style asks strands to bend: the density is a matter of width.
 const STILL: f64 = 0.1;
-/// Weight of the texture at full strength.
-const TEXTURE_WEIGHT: f64 = 0.3;
+/// Weight of the texture at full strength: beside a motif it only helps, else it has to say it all.
+const TEXTURE_WEIGHTS: [f64; 2] = [0.05, 0.3];
 /// Cosine between the normal and the way to the eye from which on a place faces it.
 const FACING: f64 = 0.4;
 /// Weight of the pull to the surface at 1 in the settings: strands stay within a tenth of their distance.
@@ -317,7 +317,7 @@ impl Plan {
             seed: settings.seed,
             occluders,
             texture: self.texture.clone(),
-            texture_weight: TEXTURE_WEIGHT * settings.style_strength,
+            texture_weight: TEXTURE_WEIGHTS[usize::from(settings.motif == Laid::Off)] * settings.style_strength,
             texture_masks,
             surface: Some(Surface {
                 nearest: Arc::clone(&self.nearest),

@@ -13,7 +13,7 @@ use canvas::Canvas;
 pub enum Pattern {
     /// Flowers with outlined petals and dark hearts, small ones between.
     Petals,
-    /// Rolling waves with curling crests.
+    /// Rings of waves on a heaving sea.
     Waves,
     /// Looping script of a broad nib.
     Calligraphy,
