@@ -16,8 +16,8 @@ for (let i = 0; i < pictures.length; i += 4) {
   drawings.add(name, ink.width, ink.height, ink.bytes());
 }
 const begin = performance.now();
-const run = wasm.Run.start(drawings, JSON.stringify({ preset: "fast", bend: "none" }), () => {}, () => {});
+const run = await wasm.Run.start(drawings, JSON.stringify({ preset: "fast", bend: "none" }), () => {}, () => {});
 const middle = performance.now();
-while (run.iteration < run.iterations) run.step(20);
+while (run.iteration < run.iterations) await run.step(20);
 const end = performance.now();
 console.log(JSON.stringify({ start_s: (middle - begin) / 1000, optimize_s: (end - middle) / 1000 }));
