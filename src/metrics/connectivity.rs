@@ -57,7 +57,7 @@ fn join_nearest(tree: &mut PieceTree, groups: &mut Groups) -> f64 {
         }
         // By length, so that the tree does not depend on which component asked first; loops are refused.
         let mut links: Vec<Link> = links.into_iter().flatten().collect();
-        links.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.ends.cmp(&b.ends)));
+        links.sort_unstable_by(|a, b| a.distance.total_cmp(&b.distance).then(a.ends.cmp(&b.ends)));
         let before = groups.count;
         for Link { distance, ends: (a, b) } in links {
             if groups.join(a, b) {

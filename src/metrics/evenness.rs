@@ -46,7 +46,7 @@ impl Evenness {
         let strands = Strands::new(&[laid_on(&surface, points, spacing_world)]);
         let area = surface.area();
         let mut distances = distances(&surface, &strands, spacing_world, area);
-        distances.sort_by(f64::total_cmp);
+        distances.sort_unstable_by(f64::total_cmp);
         let at = |share: f64| distances.get((share * (distances.len() as f64 - 1.0)) as usize).map_or(0.0, |d| *d);
         let (histogram, length_world) = strand_histogram(&strands, spacing_world);
         Ok(Evenness {

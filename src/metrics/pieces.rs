@@ -188,11 +188,10 @@ impl PieceTree {
                 continue;
             }
             if node.second != 0 {
-                let mut children =
+                let [first, second] =
                     [i + 1, node.second as usize].map(|child| (self.nodes[child].bounds.distance(&bounds), child));
                 // The nearer one is looked at first.
-                children.sort_by(|a, b| b.0.total_cmp(&a.0));
-                stack.extend(children);
+                stack.extend(if first.0 < second.0 { [second, first] } else { [first, second] });
                 continue;
             }
             for other in &self.pieces[node.first as usize..][..node.count as usize] {

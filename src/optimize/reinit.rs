@@ -121,7 +121,7 @@ pub(super) fn reinit(
     if vanished.is_empty() || live.is_empty() {
         return 0;
     }
-    live.sort_by(f32::total_cmp);
+    live.sort_unstable_by(f32::total_cmp);
     let width = live[live.len() / 2];
     let places = match options.new_point {
         NewPoint::LackingInk => volume.draw_lacking(vanished.len(), rng),

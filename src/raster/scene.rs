@@ -235,7 +235,7 @@ mod runner {
     }
 
     fn median(mut values: Vec<f64>) -> f64 {
-        values.sort_by(f64::total_cmp);
+        values.sort_unstable_by(f64::total_cmp);
         values[values.len() / 2]
     }
 

@@ -96,7 +96,7 @@ impl Grid {
                 }
             }
         }
-        offsets.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        offsets.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         offsets
     }
 

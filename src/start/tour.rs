@@ -61,7 +61,7 @@ fn nearest_lists(points: &[[f64; 3]]) -> Vec<Vec<u32>> {
                 others.select_nth_unstable_by(count, order);
             }
             others.truncate(count);
-            others.sort_by(order);
+            others.sort_unstable_by(order);
             others.iter().map(|other| other.1).collect()
         })
         .collect()

@@ -369,7 +369,7 @@ impl Growth<'_> {
             }
         }
         ends.retain(|end| end.0 > least_net);
-        ends.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        ends.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut added = 0;
         for (promised, end) in ends {
             let path: Vec<u32> = shortest.path_back(end).collect();

@@ -78,7 +78,7 @@ pub fn preview(drawings: &[Drawing], settings: &Settings) -> Result<Preview> {
         (now, Vec::new())
     };
     let mut order: Vec<usize> = (0..drawings.len()).collect();
-    order.sort_by_key(|&view| plan.arrangement.placements[view].source);
+    order.sort_unstable_by_key(|&view| plan.arrangement.placements[view].source);
     Ok(Preview {
         drawings: order.into_iter().map(|view| seen_in(&plan, view, drawings)).collect(),
         coverable: now,

@@ -112,10 +112,11 @@ pub(super) fn remedies(
     let base = now.mean_coverable();
     let now: Ways = now.arrangement.placements.iter().map(|placed| (placed.source, placed.orientation)).collect();
     let arranged = settings.arrange == OnOff::On;
-    let mut found = Vec::new();
+    let mut found: Vec<Remedy> = Vec::new();
     let mut offer = |kind, sources: &[usize], quarter_turns, coverable| {
         if coverable >= base + WORTH_TELLING {
-            found.push(Remedy { kind, sources: sources.to_vec(), quarter_turns, coverable });
+            let place = found.partition_point(|better| better.coverable >= coverable);
+            found.insert(place, Remedy { kind, sources: sources.to_vec(), quarter_turns, coverable });
         }
     };
     for view in 0..now.len() {
@@ -154,7 +155,6 @@ pub(super) fn remedies(
         let share = plan(drawings, &Settings { arrange: OnOff::On, ..settings.clone() })?.mean_coverable();
         offer(RemedyKind::Arrange, &everything, 0, share);
     }
-    found.sort_by(|a, b| b.coverable.total_cmp(&a.coverable));
     found.truncate(MOST);
     Ok(found)
 }

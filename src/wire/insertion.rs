@@ -54,7 +54,7 @@ impl Wire {
                 format!("insert strictly between {start} and {end}"),
             ));
         }
-        sorted.sort_by(f64::total_cmp);
+        sorted.sort_unstable_by(f64::total_cmp);
         let inside = &self.knots[3..=self.last_knot()];
         let crowded = |t: f64| {
             let above = inside.partition_point(|&knot| knot < t);

@@ -127,7 +127,7 @@ mod tests {
                 .map(|&(a, b)| [a, b].map(|i| DVec3::from(mesh.positions()[i as usize])))
                 .map(|[a, b]| a.distance(b))
                 .collect();
-            lengths.sort_by(f64::total_cmp);
+            lengths.sort_unstable_by(f64::total_cmp);
             let at = |share: f64| lengths[(share * (lengths.len() - 1) as f64) as usize];
             assert!((0.028..0.05).contains(&at(0.5)), "{name}: {}", at(0.5));
             assert!(at(0.02) > 0.012 && at(1.0) < 0.085, "{name}: {} {}", at(0.02), at(1.0));

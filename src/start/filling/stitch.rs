@@ -92,7 +92,7 @@ impl Stitching {
                 }
             }
         }
-        places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        places.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         places.into_iter().map(|place| place.1).collect()
     }
 

@@ -74,7 +74,7 @@ impl<'a> Graph<'a> {
             })
             .collect();
         let through = |k: usize| self.edges[k].iter().map(|&node| price[node]).sum::<f64>() + self.lengths[k];
-        bridges.sort_by(|&a, &b| through(a).total_cmp(&through(b)).then(a.cmp(&b)));
+        bridges.sort_unstable_by(|&a, &b| through(a).total_cmp(&through(b)).then(a.cmp(&b)));
         let mut root: Vec<usize> = (0..odd.len()).collect();
         let mut tree: Vec<Vec<(usize, usize)>> = vec![Vec::new(); odd.len()];
         for k in bridges {

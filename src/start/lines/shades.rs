@@ -21,7 +21,7 @@ const SMALLEST_HIGHLIGHT_PX: f64 = 5.0;
 pub fn stretched(tone: &Image, solid: &Mask, sigma_px: f64) -> Image {
     let inside: Vec<usize> = (0..tone.data.len()).filter(|&i| solid.data[i]).collect();
     let mut shades: Vec<f32> = inside.iter().map(|&i| tone.data[i]).collect();
-    shades.sort_by(f32::total_cmp);
+    shades.sort_unstable_by(f32::total_cmp);
     let at = |share: f64| shades.get((share * shades.len() as f64) as usize).copied().unwrap_or(0.0);
     let (low, high) = (at(0.02), at(0.98));
     let low = low.min(high - LEAST_RANGE);

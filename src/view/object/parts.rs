@@ -111,7 +111,7 @@ fn parts(solid: &Mask) -> Parts {
         inked[label as usize - 1] += 1;
     }
     let mut order: Vec<usize> = (0..inked.len()).collect();
-    order.sort_by_key(|&k| (std::cmp::Reverse(inked[k]), k));
+    order.sort_unstable_by_key(|&k| (std::cmp::Reverse(inked[k]), k));
     let least = WORTH_CHOOSING * inked[order[0]] as f64;
     order.retain(|&k| inked[k] as f64 >= least);
     let mut rank = vec![0u32; inked.len()];
