@@ -15,20 +15,15 @@
 //! control points → samples ([`wire::LinearMap`]) → pixels ([`view::Camera`]) → coverage ([`raster`]) → loss
 //! ([`objective`]) and the adjoints back the same way; [`optimize::Session`] drives it, [`tasks`] says what to drive.
 
-pub mod error;
 #[cfg(feature = "cli")]
 pub mod files;
-pub mod rng;
 
-pub mod mesh;
-pub mod raster;
-pub mod view;
-pub mod wire;
+pub use wire4d_core::{Error, Result, error, mesh, objective, optimize, raster, rng, view, wire};
 
-pub mod objective;
+pub mod model;
+pub mod picture;
+pub mod scene;
 pub mod start;
-
-pub mod optimize;
 
 #[cfg(feature = "gpu")]
 pub mod gpu;
@@ -44,4 +39,6 @@ pub mod tasks;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
-pub use error::{Error, Result};
+#[cfg(test)]
+#[path = "core/few_cases.rs"]
+mod few_cases;

@@ -1,9 +1,10 @@
 //! Covering a mesh from end to end: one closed wire that stays on the surface, shows what it should and repeats itself.
 
 use wire4d::mesh::Shape;
+use wire4d::picture::Pattern;
 use wire4d::settings::{Flow, Preset, Settings, Task};
 use wire4d::tasks::fill::{self, Given, Plan, Run, Style};
-use wire4d::view::{Image, Pattern};
+use wire4d::view::Image;
 
 /// Coarse and small, so that a run takes a moment.
 fn settings() -> Settings {

@@ -3,7 +3,8 @@
 mod mesh_common;
 
 use mesh_common::{Kind, tetrahedra, written};
-use wire4d::mesh::{MAX_TRIANGLES, Shape, read_mesh};
+use wire4d::mesh::Shape;
+use wire4d::model::{MAX_TRIANGLES, read_mesh};
 
 #[test]
 fn every_format_gives_the_same_mesh() {

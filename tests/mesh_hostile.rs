@@ -3,7 +3,8 @@
 mod mesh_common;
 
 use mesh_common::{Kind, written};
-use wire4d::mesh::{Nearest, Shape, read_mesh};
+use wire4d::mesh::{Nearest, Shape};
+use wire4d::model::read_mesh;
 
 /// What a mended mesh promises.
 fn check(name: &str, bytes: &[u8]) {

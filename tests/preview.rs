@@ -2,11 +2,12 @@
 #![cfg(feature = "cli")]
 
 use std::path::Path;
+use wire4d::picture::{Ink, read_picture};
 use wire4d::settings::{Bend, Settings};
 use wire4d::start::Orientation;
 use wire4d::tasks::multiview::{Drawing, plan};
 use wire4d::tasks::preview::{Preview, RemedyKind, SEEN_PX, preview};
-use wire4d::view::{Image, read_picture};
+use wire4d::view::Image;
 
 fn settings(arrange: &str) -> Settings {
     Settings::from_pairs([("arrange", arrange)]).unwrap()

@@ -3,9 +3,9 @@
 #![cfg(feature = "cli")]
 
 use std::path::Path;
+use wire4d::picture::read_picture;
 use wire4d::settings::{Bend, Preset, Settings, Start};
 use wire4d::tasks::multiview::{Drawing, Run, plan};
-use wire4d::view::read_picture;
 
 /// Means over the views, each 0 to 1, and the number of parts the wire falls into.
 #[derive(Debug, Clone, Copy)]

@@ -2,9 +2,9 @@
 #![cfg(feature = "cli")]
 
 use std::path::Path;
+use wire4d::picture::read_picture;
 use wire4d::settings::Settings;
 use wire4d::tasks::stroke::{Given, Run, plan};
-use wire4d::view::read_picture;
 
 #[test]
 fn every_picture_reads_from_the_front_and_stays_within_its_solid() {

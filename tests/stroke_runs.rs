@@ -1,9 +1,10 @@
 //! One picture to a stroke, end to end on small generated pictures.
 
 use wire4d::metrics::{ResultReport, TimeReport};
+use wire4d::picture::Picture;
 use wire4d::settings::Settings;
 use wire4d::tasks::stroke::{Given, Plan, Run, plan};
-use wire4d::view::{Image, Picture, ViewSpec};
+use wire4d::view::{Image, ViewSpec};
 
 const SIDE: usize = 96;
 

@@ -1,7 +1,7 @@
 use super::*;
 use crate::Error;
+use crate::few_cases::few_cases;
 use crate::rng::Rng;
-use crate::wire::test_wires::few_cases;
 use proptest::prelude::*;
 
 fn sculpture(seed: u64, count: usize, closed: bool) -> Sculpture {

@@ -5,7 +5,7 @@ mod task;
 
 pub use task::Task;
 
-use crate::{Error, Result, start, view::Polarity, wire::Form};
+use crate::{Error, Result, picture::Polarity, start, wire::Form};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;

@@ -6,7 +6,8 @@ use super::plane::Plane;
 use super::shared::{MOST_ACROSS, are_canonical, shown_together};
 use super::tour::short_tour;
 use crate::error::{Error, Result};
-use crate::view::{Image, Mask, Target};
+use crate::picture::Mask;
+use crate::view::{Image, Target};
 
 /// How much of one view's ink any object could show.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,6 +181,7 @@ fn cover(grid: &Grid, planes: &[Plane], hull: &[u32], reach: f32) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::Ink;
     use crate::start::testing::{HEIGHT_WORLD, letters, picture, targets};
 
     #[test]

@@ -64,6 +64,7 @@ fn same_side(a: &View, b: &View) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::Ink;
     use crate::start::testing::picture;
 
     fn drawing(name: &str) -> Drawing {

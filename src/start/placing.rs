@@ -1,5 +1,6 @@
 //! A drawing cut out along its ink, mirrored, turned and laid into a picture.
 
+use crate::picture::Ink;
 use crate::view::Image;
 
 /// Ink below this does not count when a drawing is cut out: paper grain and compression noise.

@@ -1,6 +1,7 @@
 //! One view's ink on the grid's own pixels: what is ink, how far it is to ink, to ground, to the strokes' middle lines.
 
-use crate::view::{Image, Mask};
+use crate::picture::{Ink, Mask};
+use crate::view::Image;
 
 /// Ink on a coarse grid of pixels, one pixel about one voxel wide, with the distances that growing a wire needs.
 #[derive(Debug, Clone)]

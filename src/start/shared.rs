@@ -1,6 +1,7 @@
 //! Which ink front, side and top show together, a row of cells at a time.
 
-use crate::view::{Mask, Projection, Target, View};
+use crate::picture::Mask;
+use crate::view::{Projection, Target, View};
 
 /// Most cells across: a row is one word.
 pub const MOST_ACROSS: usize = 128;

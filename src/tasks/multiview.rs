@@ -10,12 +10,13 @@ use super::saved::SavedRun;
 use crate::metrics::{BentReport, ResultReport, match_pictures};
 use crate::objective::Displacement;
 use crate::optimize::{Problem, Session, WidthBounds, wait};
+use crate::picture::{Ink, Picture, ink};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
     self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
-use crate::view::{Image, Picture, Target, ViewSpec, ink};
+use crate::view::{Image, Target, ViewSpec};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 

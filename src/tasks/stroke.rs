@@ -15,11 +15,12 @@ use super::fit::recipe;
 use super::run::Placed;
 use super::saved::SavedRun;
 use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, WidthBounds, wait};
+use crate::picture::{Ink, OBJECT_PX, Object, Picture, find_object};
 use crate::rng::Rng;
 use crate::sculpture::render_sampled;
 use crate::settings::{Preset, Settings, Shading, Start, Task};
 use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
-use crate::view::{Image, OBJECT_PX, Object, Picture, Target, View, ViewSpec, find_object};
+use crate::view::{Image, Target, View, ViewSpec};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 

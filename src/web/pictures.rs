@@ -1,10 +1,11 @@
 //! Pictures and drawings on their way in, and ink on its way out.
 
 use super::json;
+use crate::picture::{Picture, Polarity, Reading};
 use crate::settings::Settings;
 use crate::tasks::Placed;
 use crate::tasks::multiview::Drawing;
-use crate::view::{Image, Picture, Polarity, Reading};
+use crate::view::Image;
 use wasm_bindgen::prelude::*;
 
 /// Drawings for a preview or a run, in the order front, side, top.

@@ -2,8 +2,9 @@
 
 use super::json;
 use super::pictures::Ink;
+use crate::picture::{Object, Picture, find_object as find};
 use crate::tasks::stroke::Given;
-use crate::view::{Image, Object, Picture, find_object as find};
+use crate::view::Image;
 use wasm_bindgen::prelude::*;
 
 /// One picture for a run, and what a person says of it.

@@ -3,11 +3,12 @@
 use super::made::WireData;
 use super::pictures::Ink;
 use super::{json, parse_settings};
-use crate::mesh::{Shape, read_mesh};
+use crate::mesh::Shape;
+use crate::model::read_mesh;
+use crate::picture::{Pattern, Picture, Polarity, Reading};
 use crate::settings::{Flow, Motif, Settings, Start, Task};
 use crate::start::Filling;
 use crate::tasks::fill::{self, Given, Plan, Style};
-use crate::view::{Pattern, Picture, Polarity, Reading};
 use crate::wire::Wire;
 use crate::{Error, Result};
 use wasm_bindgen::prelude::*;

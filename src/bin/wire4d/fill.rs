@@ -4,10 +4,11 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::Path;
-use wire4d::mesh::{Shape, open_mesh};
+use wire4d::mesh::Shape;
+use wire4d::model::open_mesh;
+use wire4d::picture::{GreyDepth, Pattern, Polarity, ink, read_picture};
 use wire4d::settings::Task;
 use wire4d::tasks::fill::{self, Given, Run, Style};
-use wire4d::view::{GreyDepth, Pattern, Polarity, ink, read_picture};
 use wire4d::{Error, Result};
 
 /// Side of a pattern's picture, px.

@@ -7,9 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wire4d::export::{ExportOptions, Format, export};
 use wire4d::metrics::{Report, TimeReport};
+use wire4d::picture::{GreyDepth, encode_png};
 use wire4d::sculpture::Sculpture;
 use wire4d::tasks::{Job, Run};
-use wire4d::view::{GreyDepth, Image, encode_png};
+use wire4d::view::Image;
 use wire4d::{Error, Result};
 
 /// Iterations between two looks at the clock and at Ctrl-C.

@@ -4,9 +4,10 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
+use wire4d::picture::{GreyDepth, read_picture};
 use wire4d::settings::{Settings, Task};
 use wire4d::tasks::multiview::{self, Drawing, Run};
-use wire4d::view::{GreyDepth, Image, ViewSpec, parse_placed_picture, read_picture};
+use wire4d::view::{Image, ViewSpec, parse_placed_picture};
 use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {

@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use wire4d::export::{self, ExportOptions, Format};
 use wire4d::files::{read_at_most, write_whole};
 use wire4d::metrics::ResultReport;
-use wire4d::raster::scene::{self, SceneJob};
+use wire4d::picture::{GreyDepth, read_picture, write_png};
 use wire4d::raster::{SELF_CHECK_TOLERANCE, self_check};
+use wire4d::scene::{self, SceneJob};
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::Drawing;
-use wire4d::view::{GreyDepth, MAX_PICTURE_PX, View, ViewSpec, read_picture, write_png};
+use wire4d::view::{MAX_PICTURE_PX, View, ViewSpec};
 use wire4d::wire::MAX_CONTROL_POINTS;
 use wire4d::{Error, Result};
 

@@ -1,7 +1,8 @@
 //! How far the edges of two pictures are from each other.
 
 use super::Perceptual;
-use crate::view::{Image, Mask};
+use crate::picture::Mask;
+use crate::view::Image;
 
 /// Pictures are smoothed by a Gaussian of this σ, pixels, before their slope is taken.
 const SIGMA_PX: f64 = 1.0;

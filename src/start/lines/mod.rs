@@ -9,7 +9,8 @@ mod shades;
 mod walk;
 
 use super::envelope::{FAR, lower_envelope};
-use crate::view::{Image, Mask};
+use crate::picture::{Ink, Mask};
+use crate::view::Image;
 use shades::{edges, held_back, highlights, stretched};
 
 /// What of an object is drawn: square pictures of one size, values 0 to 1.

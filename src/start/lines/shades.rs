@@ -1,7 +1,8 @@
 //! Shades to draw from: tones stretched to what lines can show, edges, highlights.
 
 use super::{LineOptions, around, sides};
-use crate::view::{Image, Mask};
+use crate::picture::{Ink, Mask};
+use crate::view::Image;
 
 /// Shades this close together are one shade.
 const LEAST_RANGE: f32 = 0.25;

@@ -3,9 +3,9 @@
 
 use super::circuit::circuit;
 use super::{Lines, around};
+use crate::picture::Mask;
 use crate::start::trail::smooth;
 use crate::start::{Path, Solid};
-use crate::view::Mask;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 

@@ -7,8 +7,9 @@ use super::ball::spread_points;
 use super::envelope::{FAR, lower_envelope};
 use super::tour::short_tour;
 use crate::error::{Error, Result};
+use crate::picture::{Ink, Mask};
 use crate::rng::Rng;
-use crate::view::{Image, Mask, View};
+use crate::view::{Image, View};
 
 /// How thick a silhouette becomes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,8 @@
 //! What a view shows of a solid: its silhouette, and the lines an artist would draw of it.
 
 use super::Solid;
-use crate::view::{Image, Mask, View};
+use crate::picture::Mask;
+use crate::view::{Image, View};
 
 /// Pictures are made this many times as large, then averaged.
 const FINER: usize = 2;
@@ -113,6 +114,7 @@ impl Solid {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::Ink;
     use crate::start::SolidOptions;
 
     fn solid(on: impl Fn(f32, f32) -> bool) -> Solid {

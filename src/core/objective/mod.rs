@@ -1,0 +1,19 @@
+//! What makes a wire good: image losses over a pyramid, textures, regularisers of the curve, and targets that bend a little.
+
+mod guidance;
+mod mmse;
+mod net;
+mod regularisers;
+mod straight;
+mod surface;
+mod texture;
+mod warp;
+
+pub use guidance::Guidance;
+pub use mmse::{MultiscaleMse, Pyramid, level_sizes};
+pub use regularisers::length_and_gradient;
+pub use surface::surface_and_gradient;
+#[cfg(feature = "gpu")]
+pub use texture::packed as packed_texture;
+pub use texture::{Texture, TextureLoss, TextureOptions, crop_weights};
+pub use warp::{Displacement, Warp, WarpWeights};

@@ -1,0 +1,451 @@
+//! Pictures as people bring them, and the ink in them.
+//!
+//! A [`Picture`] is decoded colour, wherever it came from. [`ink`] finds what is drawn: ground 0, ink 1, soft edges kept.
+
+use crate::view::{Image, MAX_PICTURE_PX};
+use crate::{Error, Result};
+
+/// Most pixels a picture may have.
+pub const MAX_PICTURE_PIXELS: usize = 50_000_000;
+
+/// A decoded picture, 8 bits a channel, alpha not multiplied in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    name: String,
+    width: usize,
+    height: usize,
+    rgba: Vec<u8>,
+    /// Width and height before it was averaged down.
+    given: [usize; 2],
+}
+
+/// Which of two shades is the drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum Polarity {
+    /// Guess: the border is ground.
+    #[default]
+    #[serde(rename = "auto")]
+    Auto,
+    /// Dark ink on light ground.
+    #[serde(rename = "dark")]
+    DarkInk,
+    /// Light ink on dark ground.
+    #[serde(rename = "light")]
+    LightInk,
+}
+
+impl Picture {
+    /// From rows of red, green, blue, alpha, top left first. Large pictures are averaged down to at most
+    /// [`MAX_PICTURE_PX`] a side.
+    ///
+    /// # Errors
+    /// [`Error::Picture`] if there are no pixels, too many, or not four bytes for each.
+    pub fn new(name: impl Into<String>, width: usize, height: usize, rgba: Vec<u8>) -> Result<Picture> {
+        let name = name.into();
+        check_size(&name, width, height)?;
+        if rgba.len() != width * height * 4 {
+            let problem = format!("{} bytes of colour for {width} x {height} px", rgba.len());
+            return Err(Error::picture(name, problem, "give four bytes a pixel"));
+        }
+        let picture = Picture { name, width, height, rgba, given: [width, height] };
+        let factor = width.max(height).div_ceil(MAX_PICTURE_PX);
+        Ok(if factor > 1 { picture.averaged(factor) } else { picture })
+    }
+
+    /// The width and height it came with, if it was averaged down from a larger picture.
+    pub fn shrunk_from(&self) -> Option<[usize; 2]> {
+        (self.given != [self.width, self.height]).then_some(self.given)
+    }
+
+    /// File or pad name as the person knows it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Columns.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Red, green, blue, alpha, row by row.
+    pub fn rgba(&self) -> &[u8] {
+        &self.rgba
+    }
+
+    /// Squares of `factor` pixels made one, colours weighted by their alpha. Leftover columns and rows make smaller cells.
+    pub(super) fn averaged(&self, factor: usize) -> Picture {
+        let (width, height) = (self.width.div_ceil(factor), self.height.div_ceil(factor));
+        let mut rgba = Vec::with_capacity(width * height * 4);
+        for y in 0..height {
+            for x in 0..width {
+                let (mut sums, mut count) = ([0u64; 4], 0u64);
+                for sy in y * factor..self.height.min((y + 1) * factor) {
+                    for sx in x * factor..self.width.min((x + 1) * factor) {
+                        let pixel = &self.rgba[(sy * self.width + sx) * 4..][..4];
+                        let alpha = u64::from(pixel[3]);
+                        for c in 0..3 {
+                            sums[c] += u64::from(pixel[c]) * alpha;
+                        }
+                        sums[3] += alpha;
+                        count += 1;
+                    }
+                }
+                let alpha = sums[3].max(1);
+                rgba.extend([0, 1, 2].map(|c| ((sums[c] + alpha / 2) / alpha) as u8));
+                rgba.push(((sums[3] + count / 2) / count) as u8);
+            }
+        }
+        Picture { name: self.name.clone(), width, height, rgba, given: self.given }
+    }
+
+    /// Luma (BT.709 weights on the encoded values: antialiasing mixes those) and alpha of each pixel, 0 to 1.
+    fn luma_and_alpha(&self) -> impl Iterator<Item = (f32, f32)> + '_ {
+        self.rgba.chunks_exact(4).map(|p| {
+            let [r, g, b, a] = [p[0], p[1], p[2], p[3]].map(|byte| f32::from(byte) / 255.0);
+            (0.2126 * r + 0.7152 * g + 0.0722 * b, a)
+        })
+    }
+}
+
+/// Whether a picture of this size may be decoded at all; to be asked before memory is.
+pub(super) fn check_size(name: &str, width: usize, height: usize) -> Result<()> {
+    if width == 0 || height == 0 {
+        return Err(Error::picture(name, "has no pixels", "choose another picture"));
+    }
+    if width.saturating_mul(height) > MAX_PICTURE_PIXELS {
+        let problem = format!("{width} x {height} px is more than can be read");
+        let remedy = format!("scale it down, {MAX_PICTURE_PX} px a side are plenty");
+        return Err(Error::picture(name, problem, remedy));
+    }
+    Ok(())
+}
+
+/// Least difference of shade between ink and ground, of the full range.
+const MIN_CONTRAST: f32 = 0.08;
+
+/// Fewest pixels that make a drawing.
+const MIN_INK_PIXELS: usize = 4;
+
+/// The ink of a picture, 0 (ground) to 1 (ink), and its polarity (never [`Polarity::Auto`]).
+///
+/// Transparent pixels are ground. If what is not transparent has one shade, its alpha is the drawing; otherwise it is
+/// laid on white (dark ink, also what `Auto` means then) or on black (light ink). In opaque pictures `Auto` takes the
+/// border's shade for ground. Shades are stretched from the paper's level, followed over the picture so that uneven light
+/// does no harm, to the ink's; clean pictures keep their antialiasing as it is.
+///
+/// # Errors
+/// [`Error::Picture`] if the picture is blank, fully inked or holds less ink than a stroke.
+pub fn ink(picture: &Picture, polarity: Polarity) -> Result<(Image, Polarity)> {
+    let fail = |problem: &str, remedy: &str| Err(Error::picture(&picture.name, problem, remedy));
+    let (width, height) = (picture.width, picture.height);
+    let pixels: Vec<(f32, f32)> = picture.luma_and_alpha().collect();
+    let transparent = pixels.iter().any(|&(_, alpha)| alpha < 0.5);
+    let silhouette = transparent && solid_shade(&pixels).is_some();
+    let asked = polarity;
+    let polarity = match asked {
+        Polarity::Auto if silhouette && solid_shade(&pixels) > Some(0.5) => Polarity::LightInk,
+        Polarity::Auto if transparent => Polarity::DarkInk,
+        Polarity::Auto => guess_polarity(&pixels, width, height),
+        given => given,
+    };
+    let strength = |&(luma, alpha): &(f32, f32)| match polarity {
+        _ if silhouette => alpha,
+        Polarity::LightInk => luma * alpha,
+        _ => (1.0 - luma) * alpha,
+    };
+    let mut image = Image { width, height, data: pixels.iter().map(strength).collect() };
+    if !stretch(&mut image) {
+        // One shade: black is ink, unless light ink was asked for.
+        let full = |&(luma, alpha): &(f32, f32)| if asked == Polarity::LightInk { luma } else { 1.0 - luma } * alpha;
+        if pixels.iter().map(full).sum::<f32>() > 0.5 * pixels.len() as f32 {
+            return fail("is inked all over", "use a drawing with ground around its ink");
+        }
+        return fail("is blank", "draw something, with more contrast if it is faint");
+    }
+    let inked = image.data.iter().filter(|&&value| value > 0.5).count();
+    if inked < MIN_INK_PIXELS {
+        let pixels = if inked == 1 { "one pixel".to_owned() } else { format!("{inked} pixels") };
+        return fail(&format!("has only {pixels} of ink"), "draw at least a short line");
+    }
+    if inked as f64 > 0.985 * image.data.len() as f64 {
+        return fail("is inked all over", "use a drawing with ground around its ink, or the other polarity");
+    }
+    Ok((image, polarity))
+}
+
+/// The shade of everything that is not transparent, if it has only one.
+fn solid_shade(pixels: &[(f32, f32)]) -> Option<f32> {
+    let opaque = || pixels.iter().filter(|&&(_, alpha)| alpha >= 0.5).map(|&(luma, _)| luma);
+    let (low, high) = opaque().fold((f32::MAX, f32::MIN), |(low, high), luma| (low.min(luma), high.max(luma)));
+    (high - low < 0.25).then_some(0.5 * (low + high))
+}
+
+/// Dark ink if most of the border is light, or, where the border is undecided, most of the picture.
+fn guess_polarity(pixels: &[(f32, f32)], width: usize, height: usize) -> Polarity {
+    let threshold = otsu(pixels.iter().map(|&(luma, _)| luma));
+    let light_share = |chosen: &dyn Fn(usize, usize) -> bool| {
+        let (mut light, mut all) = (0usize, 0usize);
+        for (i, &(luma, _)) in pixels.iter().enumerate() {
+            if chosen(i % width, i / width) {
+                light += usize::from(luma > threshold);
+                all += 1;
+            }
+        }
+        light as f64 / all as f64
+    };
+    let rim = (width.min(height) / 50).max(1);
+    let border = light_share(&|x, y| x < rim || y < rim || x + rim >= width || y + rim >= height);
+    let light = if (0.35..=0.65).contains(&border) { light_share(&|_, _| true) } else { border };
+    if light >= 0.5 { Polarity::DarkInk } else { Polarity::LightInk }
+}
+
+/// Otsu's threshold (1979) of values in 0 to 1, halfway between the two classes' means; 0.5 for a single value.
+pub(super) fn otsu(values: impl Iterator<Item = f32>) -> f32 {
+    let mut histogram = [0u64; 256];
+    for value in values {
+        histogram[(value.clamp(0.0, 1.0) * 255.0).round() as usize] += 1;
+    }
+    let moments = |bins: std::ops::Range<usize>| {
+        bins.fold((0u64, 0u64), |(count, sum), bin| (count + histogram[bin], sum + histogram[bin] * bin as u64))
+    };
+    let (all, total) = moments(0..256);
+    let (mut low, mut low_sum) = (0u64, 0u64);
+    let mut best = (0.0, 0.5);
+    for bin in 0..255 {
+        low += histogram[bin];
+        low_sum += histogram[bin] * bin as u64;
+        let high = all - low;
+        if low == 0 || high == 0 {
+            continue;
+        }
+        let (mean_low, mean_high) = (low_sum as f64 / low as f64, (total - low_sum) as f64 / high as f64);
+        let between = low as f64 * high as f64 * (mean_high - mean_low).powi(2);
+        if between > best.0 {
+            best = (between, (mean_low + mean_high) / 510.0);
+        }
+    }
+    best.1 as f32
+}
+
+/// Stretches strengths so that ground is 0 and ink 1; `false`, and nothing done, if they hardly differ.
+fn stretch(image: &mut Image) -> bool {
+    let threshold = otsu(image.data.iter().copied());
+    let ground = ground_level(image, threshold);
+    let mut strokes: Vec<f32> = Vec::new();
+    let mut noise: Vec<f32> = Vec::new();
+    for (value, ground) in image.data.iter().zip(&ground.data) {
+        let above = value - ground;
+        if *value > threshold { strokes.push(above) } else { noise.push(above.abs()) }
+    }
+    // Hair lines seldom fill a pixel, so ink is the upper end of what is drawn, not its middle.
+    let contrast = quantile(&mut strokes, 0.8);
+    if strokes.is_empty() || noise.is_empty() || contrast < MIN_CONTRAST {
+        return false;
+    }
+    // Three standard deviations of the paper's grain (1.48 median deviations each, were it Gaussian); 0 when clean.
+    let grain = (3.0 * 1.4826 * quantile(&mut noise, 0.5)).min(0.3 * contrast);
+    for (value, ground) in image.data.iter_mut().zip(&ground.data) {
+        *value = ((*value - ground - grain) / (contrast - grain)).clamp(0.0, 1.0);
+    }
+    true
+}
+
+/// The value below which `share` of the values lie; reorders them. 0 without values.
+pub(super) fn quantile(values: &mut [f32], share: f64) -> f32 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let rank = ((values.len() - 1) as f64 * share).round() as usize;
+    *values.select_nth_unstable_by(rank, f32::total_cmp).1
+}
+
+/// The paper's level at each pixel: the median of what is below `threshold` in tiles of a sixteenth of the picture,
+/// tiles full of ink filled in from their neighbours, bilinear in between.
+fn ground_level(image: &Image, threshold: f32) -> Image {
+    let side = image.width.max(image.height).div_ceil(16);
+    let (columns, rows) = (image.width.div_ceil(side), image.height.div_ceil(side));
+    let mut below = Vec::new();
+    let mut tiles: Vec<Option<f32>> = Vec::with_capacity(columns * rows);
+    for tile in 0..columns * rows {
+        let (left, top) = (tile % columns * side, tile / columns * side);
+        let (right, bottom) = (image.width.min(left + side), image.height.min(top + side));
+        below.clear();
+        for y in top..bottom {
+            let row = &image.data[y * image.width..][left..right];
+            below.extend(row.iter().filter(|&&value| value <= threshold));
+        }
+        let enough = below.len() * 4 >= (right - left) * (bottom - top);
+        tiles.push(enough.then(|| quantile(&mut below, 0.5)));
+    }
+    while tiles.iter().any(Option::is_none) {
+        let known = tiles.clone();
+        for (tile, level) in tiles.iter_mut().enumerate().filter(|(_, level)| level.is_none()) {
+            let (x, y) = (tile % columns, tile / columns);
+            let (mut sum, mut count) = (0.0, 0.0);
+            for ny in y.saturating_sub(1)..rows.min(y + 2) {
+                for nx in x.saturating_sub(1)..columns.min(x + 2) {
+                    if let Some(near) = known[ny * columns + nx] {
+                        sum += near;
+                        count += 1.0;
+                    }
+                }
+            }
+            *level = (count > 0.0).then_some(sum / count);
+        }
+        if known.iter().all(Option::is_none) {
+            tiles.fill(Some(0.0));
+        }
+    }
+    let tiles = Image { width: columns, height: rows, data: tiles.into_iter().flatten().collect() };
+    let mut level = Image::new(image.width, image.height);
+    for (i, value) in level.data.iter_mut().enumerate() {
+        let centre = |p: usize| (p as f32 + 0.5) / side as f32;
+        *value = tiles.sample(centre(i % image.width), centre(i / image.width));
+    }
+    level
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::Rng;
+
+    const SIDE: usize = 96;
+
+    /// Exact coverage of a ring, 0 to 1, in a picture `SIDE` px square.
+    fn ring(x: usize, y: usize) -> f32 {
+        let (dx, dy) = (x as f32 + 0.5 - 48.0, y as f32 + 0.5 - 48.0);
+        (3.5 - (dx.hypot(dy) - 30.0).abs()).clamp(0.0, 1.0)
+    }
+
+    fn picture(pixel: impl Fn(usize, usize) -> [u8; 4]) -> Picture {
+        let rgba = (0..SIDE * SIDE).flat_map(|i| pixel(i % SIDE, i / SIDE)).collect();
+        Picture::new("drawing.png", SIDE, SIDE, rgba).unwrap()
+    }
+
+    fn grey(level: f32) -> [u8; 4] {
+        let byte = (level * 255.0).round() as u8;
+        [byte, byte, byte, 255]
+    }
+
+    /// Mean absolute difference from the ring.
+    fn difference(image: &Image) -> f32 {
+        let each = image.data.iter().enumerate().map(|(i, value)| (value - ring(i % SIDE, i / SIDE)).abs());
+        each.sum::<f32>() / (SIDE * SIDE) as f32
+    }
+
+    fn found(pixel: impl Fn(usize, usize) -> [u8; 4]) -> (f32, Polarity) {
+        let (image, polarity) = ink(&picture(pixel), Polarity::Auto).unwrap();
+        assert!(image.data.iter().all(|value| (0.0..=1.0).contains(value)));
+        (difference(&image), polarity)
+    }
+
+    #[test]
+    fn clean_pictures_keep_their_edges() {
+        let (error, polarity) = found(|x, y| grey(1.0 - ring(x, y)));
+        assert!(error < 2e-3 && polarity == Polarity::DarkInk, "{error}");
+        let (error, polarity) = found(|x, y| grey(ring(x, y)));
+        assert!(error < 2e-3 && polarity == Polarity::LightInk, "{error}");
+        let (error, _) = found(|x, y| {
+            let mix = |ink: f32| (255.0 + (ink - 255.0) * ring(x, y)).round() as u8;
+            [mix(200.0), mix(30.0), mix(40.0), 255]
+        });
+        assert!(error < 3e-3, "coloured ink: {error}");
+        // Sibling: a ring drawn a pixel further is told apart.
+        let (error, _) = found(|x, y| grey(1.0 - ring((x + 1) % SIDE, y)));
+        assert!(error > 0.02, "{error}");
+    }
+
+    #[test]
+    fn the_polarity_can_be_given() {
+        let dark = picture(|x, y| grey(1.0 - ring(x, y)));
+        let (image, polarity) = ink(&dark, Polarity::LightInk).unwrap();
+        assert_eq!(polarity, Polarity::LightInk);
+        assert!((image.at(48, 48), image.at(18, 48)) == (1.0, 0.0), "the ground is now the ink");
+    }
+
+    #[test]
+    fn transparent_is_ground() {
+        let alpha = |x, y| (255.0 * ring(x, y)).round() as u8;
+        let (error, polarity) = found(|x, y| [0, 0, 0, alpha(x, y)]);
+        assert!(error < 2e-3 && polarity == Polarity::DarkInk, "alpha alone, black: {error}");
+        let (error, polarity) = found(|x, y| [255, 255, 255, alpha(x, y)]);
+        assert!(error < 2e-3 && polarity == Polarity::LightInk, "alpha alone, white: {error}");
+        // Black lines with white between them, cut out in a disc: the white is no ink.
+        let inside = |x: usize, y: usize| (x as f32 - 47.5).hypot(y as f32 - 47.5) < 40.0;
+        let (error, polarity) = found(|x, y| {
+            let [r, g, b, _] = grey(1.0 - ring(x, y));
+            [r, g, b, if inside(x, y) { 255 } else { 0 }]
+        });
+        assert!(error < 2e-3 && polarity == Polarity::DarkInk, "cut out: {error}");
+        // Hidden colour under alpha 0 does not matter.
+        let (error, _) = found(|x, y| if ring(x, y) > 0.0 { [0, 0, 0, alpha(x, y)] } else { [90, 200, 7, 0] });
+        assert!(error < 2e-3, "{error}");
+    }
+
+    #[test]
+    fn scans_become_ink_and_ground() {
+        let mut rng = Rng::new(4, 0);
+        let noise: Vec<f32> = (0..SIDE * SIDE).map(|_| (rng.unit() - 0.5) as f32 * 0.06).collect();
+        // Grey paper lit from the left, grey pencil, grain.
+        let scan = |x: usize, y: usize| {
+            let paper = 0.9 - 0.3 * x as f32 / SIDE as f32;
+            grey(paper * (1.0 - 0.65 * ring(x, y)) + noise[y * SIDE + x])
+        };
+        let (error, polarity) = found(scan);
+        assert!(error < 0.03 && polarity == Polarity::DarkInk, "{error}");
+        let (image, _) = ink(&picture(scan), Polarity::Auto).unwrap();
+        let stray = (0..SIDE * SIDE).filter(|&i| ring(i % SIDE, i / SIDE) == 0.0 && image.data[i] > 0.3).count();
+        assert!(stray < 5, "{stray} px of paper taken for ink");
+    }
+
+    #[test]
+    fn ink_on_the_border_and_solid_areas_are_borne() {
+        // A solid half that touches three borders.
+        let (image, polarity) = ink(&picture(|x, _| grey(if x < 30 { 0.0 } else { 1.0 })), Polarity::Auto).unwrap();
+        assert_eq!((polarity, image.at(5, 50), image.at(60, 50)), (Polarity::DarkInk, 1.0, 0.0));
+        // A solid disc of ink, 80% of the picture's width.
+        let disc = |x: usize, y: usize| (x as f32 - 47.5).hypot(y as f32 - 47.5) < 38.0;
+        let (image, _) = ink(&picture(|x, y| grey(if disc(x, y) { 0.2 } else { 0.9 })), Polarity::Auto).unwrap();
+        assert!(image.at(48, 48) == 1.0 && image.at(2, 2) == 0.0);
+    }
+
+    #[test]
+    fn pictures_with_nothing_to_draw_say_so() {
+        let problem = |pixel: &dyn Fn(usize, usize) -> [u8; 4]| {
+            let error = ink(&picture(pixel), Polarity::Auto).unwrap_err();
+            assert!(error.is_bad_input());
+            error.to_string()
+        };
+        assert!(problem(&|_, _| grey(1.0)).contains("drawing.png: is blank; draw something"));
+        assert!(problem(&|_, _| grey(0.0)).contains("is inked all over"));
+        assert!(problem(&|_, _| [0; 4]).contains("is blank"), "nothing but transparency");
+        assert!(problem(&|x, y| grey(if (x, y) == (7, 9) { 0.0 } else { 1.0 })).contains("only one pixel of ink"));
+        assert!(problem(&|x, y| grey(if y == 9 && x < 3 { 0.0 } else { 1.0 })).contains("only 3 pixels of ink"));
+        let faint = |x, y| grey(1.0 - 0.03 * ring(x, y));
+        assert!(problem(&faint).contains("is blank"));
+        let all_but_one = |x, y| grey(if (x, y) == (7, 9) { 1.0 } else { 0.0 });
+        assert!(problem(&all_but_one).contains("ink"));
+    }
+
+    #[test]
+    fn sizes_are_checked_and_large_pictures_averaged() {
+        assert!(Picture::new("a", 0, 5, vec![]).is_err());
+        assert!(Picture::new("a", 2, 2, vec![0; 15]).unwrap_err().to_string().contains("15 bytes"));
+        assert!(Picture::new("a", usize::MAX, 2, vec![]).unwrap_err().to_string().contains("scale it down"));
+        assert!(Picture::new("a", 20_000, 20_000, vec![]).unwrap_err().to_string().contains("20000 x 20000"));
+        let (width, height) = (4500, 10);
+        let rgba = (0..width * height).flat_map(|i| [if i % 3 == 0 { 255 } else { 0 }, 10, 20, 255]).collect();
+        let small = Picture::new("a", width, height, rgba).unwrap();
+        assert_eq!((small.width(), small.height()), (1500, 4));
+        assert_eq!(small.rgba()[..4], [85, 10, 20, 255]);
+        let two =
+            Picture { name: "b".into(), width: 2, height: 1, rgba: vec![200, 0, 0, 255, 0, 0, 0, 0], given: [2, 1] };
+        assert_eq!(two.averaged(2).rgba, [200, 0, 0, 128], "transparent black does not darken");
+    }
+}

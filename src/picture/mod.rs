@@ -1,0 +1,23 @@
+//! Pictures as people bring them: decoding, ink, masks, the object in a picture; patterns by formula.
+
+mod ink;
+mod mask;
+mod object;
+mod patterns;
+#[cfg(feature = "cli")]
+mod read;
+mod reading;
+mod strokes;
+#[cfg(feature = "cli")]
+mod write;
+
+pub use ink::{MAX_PICTURE_PIXELS, Picture, Polarity, ink};
+pub use mask::{Components, Mask, NOWHERE};
+pub use object::{OBJECT_PX, Object, Parts, find_object};
+pub use patterns::Pattern;
+#[cfg(feature = "cli")]
+pub use read::{decode_picture, read_picture};
+pub use reading::Reading;
+pub use strokes::Ink;
+#[cfg(feature = "cli")]
+pub use write::{GreyDepth, encode_png, write_png};

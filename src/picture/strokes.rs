@@ -1,0 +1,197 @@
+//! What a picture is where it is read as ink: yes or no, how wide its strokes are, hair lines thickened.
+
+use super::Mask;
+use crate::view::Image;
+
+/// Ink above this is looked for when hair lines are traced: thinner than a pixel, they are grey all along.
+const TRACE_LEVEL: f32 = 0.35;
+
+/// A picture read as ink, 0 (ground) to 1 (ink).
+pub trait Ink {
+    /// Where there is more than `level`.
+    fn threshold(&self, level: f32) -> Mask;
+
+    /// Median width of the strokes in pixels, along their skeleton; 0 without ink. Solid areas count by their skeleton
+    /// too, which is short for their area. Good to half a pixel.
+    fn median_stroke_width_px(&self) -> f32;
+
+    /// The drawing with strokes thinner than `min_width_px` redrawn that wide, antialiased; wider ones, solid areas and
+    /// their corners stay as they are.
+    ///
+    /// Discs of half the width are laid along the skeleton wherever such a disc does not fit into the ink; not nearer to
+    /// ink where one fits than its radius, which spares the corners of wide strokes.
+    fn with_min_stroke(&self, min_width_px: f32) -> Image;
+}
+
+impl Ink for Image {
+    fn threshold(&self, level: f32) -> Mask {
+        let data = self.data.iter().map(|&value| value > level).collect();
+        Mask { width: self.width, height: self.height, data }
+    }
+
+    fn median_stroke_width_px(&self) -> f32 {
+        // Twice the resolution, so that the half pixel between ink and ground centres shrinks to a quarter.
+        let fine = self.window([0.0, 0.0, self.width as f64, self.height as f64], 2 * self.width, 2 * self.height);
+        let ink = fine.threshold(0.5);
+        let to_ground = ink.inverted().distance_px();
+        let skeleton = ink.thin();
+        // A line of 2 m fine pixels has m to its nearest ground, one of 2 m + 1 has m + 1: in pixels, m or m + 1/2 wide.
+        let each = skeleton.data.iter().zip(&to_ground.data).filter(|(on, _)| **on);
+        let mut widths: Vec<f32> = each.map(|(_, distance)| distance - 0.25).collect();
+        if widths.is_empty() {
+            return 0.0;
+        }
+        let middle = widths.len() / 2;
+        let width = *widths.select_nth_unstable_by(middle, f32::total_cmp).1;
+        // All ink and no ground: as wide as the picture.
+        width.min(self.width.max(self.height) as f32)
+    }
+
+    fn with_min_stroke(&self, min_width_px: f32) -> Image {
+        let radius = 0.5 * min_width_px;
+        let ink = self.threshold(TRACE_LEVEL);
+        // From a pixel's centre to the border of the ink it is half a pixel less than to the next ground centre.
+        let to_ground = ink.inverted().distance_px();
+        let fits = to_ground.threshold(radius + 0.5 - 0.25);
+        let to_fitting = fits.distance_px();
+        let mut thin = ink.thin();
+        for (on, &distance) in thin.data.iter_mut().zip(&to_fitting.data) {
+            // As far again as the disc that fits reaches, and a radius more.
+            *on &= distance > 2.0 * radius;
+        }
+        let mut out = self.clone();
+        for i in (0..thin.data.len()).filter(|&i| thin.data[i]) {
+            add_disc(&mut out, centre_of_ink(self, i % self.width, i / self.width), radius);
+        }
+        out
+    }
+}
+
+/// The middle of a stroke near a skeleton pixel, to a fraction of a pixel: the centroid of the ink round it.
+fn centre_of_ink(image: &Image, x: usize, y: usize) -> [f32; 2] {
+    let (mut sum, mut mass) = ([0.0f32; 2], 0.0f32);
+    for ny in y.saturating_sub(1)..image.height.min(y + 2) {
+        for nx in x.saturating_sub(1)..image.width.min(x + 2) {
+            let value = image.at(nx, ny);
+            sum[0] += value * (nx as f32 - x as f32);
+            sum[1] += value * (ny as f32 - y as f32);
+            mass += value;
+        }
+    }
+    // Some ink is always there: the pixel itimage.
+    [x as f32 + 0.5 + sum[0] / mass, y as f32 + 0.5 + sum[1] / mass]
+}
+
+/// Unites the picture with a disc, edges one pixel soft.
+fn add_disc(image: &mut Image, [x_px, y_px]: [f32; 2], radius_px: f32) {
+    let reach = radius_px + 0.5;
+    let range = |centre: f32, size: usize| {
+        (centre - reach).max(0.0) as usize..((centre + reach).ceil().max(0.0) as usize).min(size)
+    };
+    for y in range(y_px, image.height) {
+        for x in range(x_px, image.width) {
+            let distance = (x as f32 + 0.5 - x_px).hypot(y as f32 + 0.5 - y_px);
+            let value = &mut image.data[y * image.width + x];
+            *value = value.max((reach - distance).clamp(0.0, 1.0).min(2.0 * radius_px));
+        }
+    }
+}
+
+impl Mask {
+    /// Ink grown by discs of `radius_px`: every pixel at most that far from ink, centre to centre.
+    pub fn dilated(&self, radius_px: f32) -> Mask {
+        let data = self.distance_px().data.iter().map(|&distance| distance <= radius_px).collect();
+        Mask { width: self.width, height: self.height, data }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coverage of a segment `width_px` wide, by 8 x 8 samples a pixel.
+    fn line(from: [f32; 2], to: [f32; 2], width_px: f32) -> Image {
+        let mut image = Image::new(80, 64);
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length2 = dx * dx + dy * dy;
+        for i in 0..image.data.len() {
+            let hits = (0..64).filter(|s| {
+                let x = (i % 80) as f32 + (s % 8) as f32 / 8.0 + 1.0 / 16.0 - from[0];
+                let y = (i / 80) as f32 + (s / 8) as f32 / 8.0 + 1.0 / 16.0 - from[1];
+                let t = ((x * dx + y * dy) / length2).clamp(0.0, 1.0);
+                (x - t * dx).hypot(y - t * dy) < 0.5 * width_px
+            });
+            image.data[i] = hits.count() as f32 / 64.0;
+        }
+        image
+    }
+
+    fn union(mut a: Image, b: &Image) -> Image {
+        for (a, b) in a.data.iter_mut().zip(&b.data) {
+            *a = a.max(*b);
+        }
+        a
+    }
+
+    fn ink(image: &Image) -> f32 {
+        image.data.iter().sum()
+    }
+
+    #[test]
+    fn widths_are_measured() {
+        for width in [2.0, 3.0, 4.5, 7.0, 12.0] {
+            for to in [[70.0, 20.0], [60.0, 55.0], [66.0, 36.3]] {
+                let measured = line([10.3, 20.4], to, width).median_stroke_width_px();
+                assert!((measured - width).abs() <= 0.6, "{width} to {to:?}: {measured}");
+            }
+        }
+        assert_eq!(Image::new(9, 9).median_stroke_width_px(), 0.0);
+        let full = Image { data: vec![1.0; 81], ..Image::new(9, 9) };
+        assert!(full.median_stroke_width_px().is_finite());
+    }
+
+    #[test]
+    fn hair_lines_become_as_wide_as_asked() {
+        for to in [[70.0, 20.5], [60.0, 55.0], [66.0, 36.3]] {
+            for thin in [0.8, 1.5, 3.0] {
+                let drawn = line([10.3, 20.5], to, thin).with_min_stroke(5.0);
+                let wanted = line([10.3, 20.5], to, 5.0);
+                // Ends may differ by a pixel or so; the sides may not.
+                let wrong: f32 = drawn.data.iter().zip(&wanted.data).map(|(a, b)| (a - b).abs()).sum();
+                let share = wrong / ink(&wanted);
+                assert!(share < 0.08, "{thin} to {to:?}: {share}");
+                // Sibling: another width is told apart.
+                let other = line([10.3, 20.5], to, 6.0);
+                let wrong: f32 = drawn.data.iter().zip(&other.data).map(|(a, b)| (a - b).abs()).sum();
+                assert!(wrong / ink(&other) > 0.12);
+            }
+        }
+    }
+
+    #[test]
+    fn wide_strokes_and_their_corners_stay() {
+        let wide = line([15.0, 15.0], [60.0, 48.0], 9.0);
+        assert_eq!(wide.with_min_stroke(5.0), wide);
+        let mut square = Image::new(40, 40);
+        for y in 10..30 {
+            square.data[y * 40 + 10..y * 40 + 30].fill(1.0);
+        }
+        assert_eq!(square.with_min_stroke(6.0), square, "corners are no thin strokes");
+        // A hair line that leaves a wide stroke grows, the wide stroke does not, and no gap opens.
+        let mixed = union(wide.clone(), &line([15.0, 15.0], [70.0, 8.0], 1.5));
+        let drawn = mixed.with_min_stroke(5.0);
+        assert!(ink(&drawn) > ink(&mixed) + 60.0);
+        assert_eq!(drawn.threshold(0.5).components().sizes.len(), 1);
+        assert_eq!(drawn.at(50, 45), wide.at(50, 45));
+        assert_eq!(Image::new(8, 8).with_min_stroke(5.0), Image::new(8, 8));
+        assert_eq!(wide.with_min_stroke(0.0), wide);
+    }
+
+    #[test]
+    fn growing_reaches_as_far_as_asked() {
+        let mut dot = Mask::new(21, 21);
+        dot.data[10 * 21 + 10] = true;
+        let disc = dot.dilated(5.0);
+        assert!(disc.at(15, 10) && disc.at(13, 14) && !disc.at(14, 14) && !disc.at(16, 10));
+    }
+}
