@@ -5,15 +5,18 @@ use std::path::{Path, PathBuf};
 /// Lowest first; rooms on one line may not use each other unless an earlier one is used by a later one.
 const ORDER: &[&str] = &[
     "error",
-    "files",
     "rng",
     "wire",
     "view",
     "mesh",
     "raster",
     "objective",
-    "start",
     "optimize",
+    "files",
+    "picture",
+    "model",
+    "scene",
+    "start",
     "gpu",
     "sculpture",
     "metrics",
@@ -92,9 +95,11 @@ fn no_arrow_points_upward() {
     let mut wrong = Vec::new();
     for file in files {
         let inside = file.strip_prefix(&src).unwrap();
+        // The crate below is a folder of rooms.
+        let inside = inside.strip_prefix("core").unwrap_or(inside);
         let first = inside.components().next().unwrap().as_os_str().to_string_lossy();
         let room = first.trim_end_matches(".rs");
-        if matches!(room, "lib" | "bin" | "files") {
+        if matches!(room, "lib" | "bin" | "few_cases") {
             continue;
         }
         assert!(level(room).is_some(), "{room} has no place in the order of rooms");

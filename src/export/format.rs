@@ -39,7 +39,7 @@ impl Format {
     /// # Errors
     /// [`Error::Setting`] that lists the endings there are.
     pub fn from_path(path: &str) -> Result<Format> {
-        let name = path.rsplit(['/', '\\']).next().unwrap_or_default().to_lowercase();
+        let name = path.rsplit(['/', '\\']).next().unwrap_or_default().to_ascii_lowercase();
         let fits = |ending: &str| {
             name.strip_suffix(ending)
                 .is_some_and(|stem| stem.ends_with('.') || (stem.is_empty() && ending.contains('.')))

@@ -49,7 +49,9 @@ pub fn match_pictures_with(
     };
     let (precision_2px, recall_2px) = (precision_2px(&rendered, &target), recall_2px(&rendered, &target));
     let score = |yardstick: &&dyn Perceptual| (yardstick.name().to_owned(), yardstick.score(&rendered, &target));
-    PictureMatch { soft_iou, psnr_db, precision_2px, recall_2px, perceptual: yardsticks.iter().map(score).collect() }
+    let mut perceptual = BTreeMap::new();
+    perceptual.extend(yardsticks.iter().map(score));
+    PictureMatch { soft_iou, psnr_db, precision_2px, recall_2px, perceptual }
 }
 
 /// The size whose longer side is [`REPORT_SIZE_PX`].

@@ -116,8 +116,13 @@ pub struct ViewReport {
 
 /// Only the fields that are numbers, so that a report with other fields can still be read.
 fn numbers<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
-    let fields = Map::deserialize(deserializer)?;
-    Ok(fields.into_iter().filter_map(|(name, value)| Some((name, value.as_f64()?))).collect())
+    Map::deserialize(deserializer).map(numbers_of)
+}
+
+fn numbers_of(fields: Map<String, Value>) -> BTreeMap<String, f64> {
+    let mut numbers = BTreeMap::new();
+    numbers.extend(fields.into_iter().filter_map(|(name, value)| Some((name, value.as_f64()?))));
+    numbers
 }
 
 /// How well one view matches its bent drawing, and how far bending moved the ink.

@@ -583,7 +583,9 @@ impl Settings {
     /// Every value by name as the text that [`Settings::set`] takes.
     pub fn to_texts(&self) -> BTreeMap<String, String> {
         let text = |value: Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        self.to_map().into_iter().map(|(name, value)| (name, text(value))).collect()
+        let mut texts = BTreeMap::new();
+        texts.extend(self.to_map().into_iter().map(|(name, value)| (name, text(value))));
+        texts
     }
 }
 

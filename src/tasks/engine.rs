@@ -95,8 +95,8 @@ mod device {
     /// Why the processor does the work.
     fn sentence(absence: &str) -> String {
         let mut letters = absence.chars();
-        let first = letters.next().map(char::to_uppercase).into_iter().flatten();
-        format!("{}, so the processor does the work.", first.chain(letters).collect::<String>())
+        let first = letters.next().map(|first| first.to_ascii_uppercase());
+        format!("{}, so the processor does the work.", first.into_iter().chain(letters).collect::<String>())
     }
 }
 #[cfg(feature = "gpu")]

@@ -23,8 +23,8 @@ fn start() {
 #[wasm_bindgen]
 pub fn settings_table(task: &str) -> Result<String, JsError> {
     let task = task_of(task)?;
-    let presets: BTreeMap<_, _> =
-        Preset::ALL.iter().zip(Preset::WORDS).map(|(&preset, word)| (word, task.preset(preset).to_texts())).collect();
+    let mut presets = BTreeMap::new();
+    presets.extend(Preset::ALL.iter().zip(Preset::WORDS).map(|(&preset, word)| (word, task.preset(preset).to_texts())));
     // What leaves no choice is no setting for people.
     let open = |row: &Setting| !matches!(row.kind, Kind::Choice { choices: [_] });
     let rows: Vec<_> = task.rows().filter(open).collect();

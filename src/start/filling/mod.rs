@@ -110,7 +110,9 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
     if lines.is_empty() {
         lines = dots::tours(&surface, spacing, options.seed);
     }
-    let covered: std::collections::BTreeSet<u32> = lines.iter().map(|line| surface.part(line[0].triangle)).collect();
+    let mut covered: Vec<u32> = lines.iter().map(|line| surface.part(line[0].triangle)).collect();
+    covered.sort_unstable();
+    covered.dedup();
     if covered.is_empty() {
         let remedy = "use a finer spacing or scale the mesh up";
         return Err(Error::input("mesh", "has no part large enough to hold a line", remedy));
