@@ -246,6 +246,49 @@ fn drawings_that_share_nothing_are_refused() {
 }
 
 #[test]
+fn a_mesh_is_covered_with_everything_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let corners = (0..8).map(|i| format!("v {} {} {}\n", i & 1, i >> 1 & 1, i >> 2)).collect::<String>();
+    let faces = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"].map(|face| format!("f {face}\n"));
+    fs::write(at("box.obj"), corners + &faces.concat()).unwrap();
+    grey(&at("dots.png"), 64, |x, y| if (x % 16).pow(2) + (y % 16).pow(2) < 100 { 0 } else { 255 });
+    let fill = |mesh: &str, out: &str, more: &[&str]| {
+        let out = at(out);
+        let quick = ["--curve-spacing", "0.2", "--size", "96", "--iterations", "4", "--seed", "3"];
+        wire4d(&[&["fill", mesh, "--out", text(&out)], &quick[..], more].concat())
+    };
+    let printed = succeeds(&fill(text(&at("box.obj")), "box", &[]));
+    assert_eq!(printed, text(&at("box").join("report.json")));
+    let report = json(&at("box").join("report.json"));
+    assert_eq!((&report["task"], &report["seed"], &report["stopped"]), (&"fill".into(), &3.into(), &false.into()));
+    assert_eq!(report["result"]["views"].as_array().unwrap().len(), 5);
+    let surface = &report["result"]["surface"];
+    assert!(surface["evenness"]["mean"].as_f64().is_some_and(|mean| (0.2..0.4).contains(&mean)), "{surface}");
+    assert_eq!(report["result"]["components"], 1);
+    for name in ["wire.json", "wire.glb", "loss.csv", "front.png", "front-target.png"] {
+        assert!(at("box").join(name).exists(), "{name}");
+    }
+    succeeds(&fill(text(&at("box.obj")), "again", &[]));
+    let wire = |out: &str| json(&at(out).join("wire.json"))["control_points"].clone();
+    assert_eq!(wire("box"), wire("again"));
+    let dots = at("dots.png");
+    for (name, more) in
+        [("dots", ["--style", text(&dots)]), ("waves", ["--style", "waves"]), ("along", ["--flow", "along"])]
+    {
+        succeeds(&fill(text(&at("box.obj")), name, &more));
+        assert_ne!(wire("box"), wire(name), "{name}");
+    }
+    succeeds(&fill("torus", "torus", &[]));
+    refused(&fill("teapot", "bad", &[]), "give a mesh or sphere, torus, knot, vase, creature");
+    refused(&fill("torus", "bad", &["--style", "plaid"]), "petals");
+    refused(&fill("torus", "bad", &["--style", text(&at("nowhere.png"))]), "nowhere.png");
+    refused(&fill("torus", "bad", &["--curve-spacing", "0.001"]), "curve_spacing");
+    refused(&fill(text(&at("dots.png")), "bad", &[]), "dots.png");
+    assert!(!at("bad").exists());
+}
+
+#[test]
 fn one_picture_becomes_a_stroke_with_everything_beside_it() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);

@@ -47,12 +47,22 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
 /// A built-in shape or pattern by its word, unless a file is called so; else a file.
 fn given(matches: &ArgMatches) -> Result<Given> {
     let path = args::path(matches, "mesh");
-    let mut given = match Shape::named(&path.to_string_lossy()).filter(|_| !path.exists()) {
+    let name = path.display().to_string();
+    let mut given = match Shape::named(&name).filter(|_| !path.exists()) {
         Some(shape) => Given::shape(shape),
-        None => Given::mended(&path.display().to_string(), open_mesh(path)?),
+        None if is_word(path) => {
+            let words = Shape::ALL.map(Shape::name).join(", ");
+            return Err(Error::input(name, "is neither a file nor a shape", format!("give a mesh or {words}")));
+        }
+        None => Given::mended(&name, open_mesh(path)?),
     };
     given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
     Ok(given)
+}
+
+/// Whether a person meant something built in rather than a file.
+fn is_word(path: &Path) -> bool {
+    !path.exists() && path.extension().is_none()
 }
 
 fn style(path: &Path) -> Result<Style> {
@@ -60,7 +70,7 @@ fn style(path: &Path) -> Result<Style> {
     if let Some(pattern) = Pattern::named(&name).filter(|_| !path.exists()) {
         return Ok(Style { name, ink: pattern.picture(PATTERN_PX), tiles: true });
     }
-    if !path.exists() && path.extension().is_none() {
+    if is_word(path) {
         let words = Pattern::ALL.map(Pattern::name).join(", ");
         return Err(Error::picture(name, "is neither a file nor a pattern", format!("give a picture or {words}")));
     }

@@ -5,6 +5,8 @@
 //! `α · mask`), more of it where the style's picture, laid on the surface, is dark, and for the texture of that picture.
 //! Strands behind the surface are not seen, and all are held to it, so that what is seen and what is not stays clear.
 
+mod asked;
+mod first;
 mod looks;
 mod motif;
 
@@ -12,19 +14,17 @@ use super::engine::engine;
 use super::fit::recipe;
 use super::run::Placed;
 use super::saved::SavedRun;
+use crate::Result;
 use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::model::Mended;
-use crate::objective::{Texture, TextureOptions, crop_weights};
+use crate::objective::{Texture, TextureOptions};
 use crate::optimize::{Problem, Seen, Session, Surface, WidthBounds, wait};
-use crate::rng::Rng;
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
 use crate::start::{self, FillOptions, Filling, Guide, Method};
-use crate::view::{Image, Occluder, Target, View};
-use crate::wire::{Form, Wire};
-use crate::{Error, Result};
-use glam::DVec3;
+use crate::view::{Image, Target};
+use crate::wire::Wire;
 use motif::Motif;
 use std::sync::Arc;
 
@@ -65,28 +65,12 @@ pub struct Plan {
     notes: Vec<String>,
 }
 
-/// Path between two control points of the first wire, as shares of the lines' distance: the first that is fine enough.
-const PATHS_PER_POINT: [f64; 5] = [1.7, 1.3, 1.0, 0.75, 0.55];
-/// The first of them that lets strands bend as a style asks.
-const STYLED: usize = 4;
-/// The wire may be off the curve by this share of the lines' distance.
-const FIT_TOLERANCE: f64 = 0.1;
-/// Weight of the smoothing in that fit.
-const FIT_SMOOTHING: f64 = 1e-6;
-/// Most control points of the first wire: more are no better seen.
-const MOST_POINTS: usize = 16_000;
-/// Least and most ink of a style's blank and inked places, as shares of the density.
-const TONES: [f64; 2] = [0.2, 1.8];
-/// Crops of a view in which its texture is looked at, and their side as a share of the view's.
-const CROPS: (usize, f64) = (6, 0.4);
 /// Views in which any style's lines are large enough, px a side.
 const LARGE_PX: usize = 512;
 /// Share of the positions' step size where no style asks strands to bend: the density is a matter of width.
 const STILL: f64 = 0.1;
 /// Weight of the texture at full strength: beside a motif it only helps, else it has to say it all.
 const TEXTURE_WEIGHTS: [f64; 2] = [0.05, 0.3];
-/// Cosine between the normal and the way to the eye from which on a place faces it.
-const FACING: f64 = 0.4;
 /// Weight of the pull to the surface at 1 in the settings: strands stay within a tenth of their distance.
 const SURFACE_WEIGHT: f64 = 100.0;
 /// Iterations after which the surface's tangent planes are taken anew.
@@ -186,12 +170,6 @@ fn texture(style: &Style, settings: &Settings, view_px: usize) -> Result<Texture
     Texture::of(&style.name, &style.ink, &TextureOptions { scale: side_px / side, ..TextureOptions::for_view(view_px) })
 }
 
-/// How much a place faces the eye: 1 for most, down to 0 at the silhouette, where a motif would be finer than pixels.
-fn facing(point: &[f64; 3], normal: &[f64; 3], view: &View) -> f64 {
-    let there = DVec3::from(view.eye) - DVec3::from(*point);
-    (there.normalize_or_zero().dot(DVec3::from(*normal)) / FACING).clamp(0.0, 1.0)
-}
-
 fn width_bounds(settings: &Settings) -> WidthBounds {
     let px = world_per_px(settings) * settings.size as f64 / 256.0;
     WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px }
@@ -227,84 +205,6 @@ impl Plan {
         render_seen(wire, &seen_from, &self.occluder(&Depths::render(&self.mesh, &seen_from), settings))
     }
 
-    fn occluder(&self, depths: &Depths, settings: &Settings) -> Occluder {
-        Occluder {
-            depth: depths.widened(),
-            steepness: settings.visibility as f32,
-            bias_world: settings.visibility_bias as f32,
-        }
-    }
-
-    /// What views should show, and the surface that hides what is behind it.
-    fn seen(&self, views: Vec<View>, settings: &Settings) -> Seen {
-        let seen = in_parallel(&views, |view| {
-            let depths = Depths::render(&self.mesh, view);
-            let ink = depths.shade(&self.mesh, |point, normal| self.wanted(&point, &normal, view, settings) as f32);
-            let occluder = self.occluder(&depths, settings);
-            (Target { view: view.clone(), ink }, occluder)
-        });
-        let (targets, occluders) = seen.into_iter().unzip();
-        Seen { targets, occluders, texture_masks: Vec::new() }
-    }
-
-    /// How much ink a place should have in `view`, 0 to 1.
-    fn wanted(&self, point: &[f64; 3], normal: &[f64; 3], view: &View, settings: &Settings) -> f64 {
-        let style = match &self.motif {
-            Some(motif) if settings.motif != Laid::Off => {
-                let [least, most] = TONES;
-                let strength = settings.style_strength * facing(point, normal, view);
-                1.0 - strength + strength * (least + (most - least) * motif.tone(point, normal))
-            }
-            _ => 1.0,
-        };
-        (settings.density * style).min(1.0)
-    }
-
-    /// What iteration `iteration` looks at.
-    fn looked_at(&self, iteration: usize, settings: &Settings) -> Seen {
-        let mut seen = self.seen(looks::drawn(iteration, settings), settings);
-        if self.texture.is_some() {
-            let (count, share) = CROPS;
-            let side_px = (share * settings.size as f64) as usize;
-            let mask = |(view, occluder): (usize, &Occluder)| {
-                let mut rng = Rng::new(settings.seed, 0x6372_6f70_0000_0000 + (iteration * 64 + view) as u64);
-                let inside = occluder.depth.data.iter().map(|depth| if depth.is_finite() { 1.0 } else { 0.0 });
-                crop_weights(&Image { data: inside.collect(), ..occluder.depth }, count, side_px, &mut rng)
-            };
-            seen.texture_masks = seen.occluders.iter().enumerate().map(mask).collect();
-        }
-        seen
-    }
-
-    /// A wire of even width along the curve.
-    fn first_wire(&self, settings: &Settings) -> Result<Wire> {
-        let WidthBounds { min_world, max_world } = width_bounds(settings);
-        let width = (settings.density * settings.curve_spacing).clamp(min_world, max_world);
-        let mut path = self.filling.path.clone();
-        path.points.iter_mut().for_each(|point| point[3] = width);
-        let wire = match settings.control_points {
-            0 => self.fitted(&path, settings.curve_spacing)?,
-            count => start::fitted(&path, count, FIT_SMOOTHING)?,
-        };
-        if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
-    }
-
-    /// With as few control points as stay close to the curve.
-    fn fitted(&self, path: &start::Path, spacing: f64) -> Result<Wire> {
-        let length = start::length(path);
-        let mut found = None;
-        for share in &PATHS_PER_POINT[if self.motif.is_some() { STYLED } else { 0 }..] {
-            let count = ((length / (share * spacing)).round() as usize).clamp(8, MOST_POINTS);
-            let wire = start::fitted(path, count, FIT_SMOOTHING)?;
-            let error = start::fit_error(path, &wire);
-            found = Some(wire);
-            if error <= FIT_TOLERANCE * spacing || count == MOST_POINTS {
-                break;
-            }
-        }
-        found.ok_or_else(|| Error::wire(&self.name, "there is no curve on it", "give a larger surface"))
-    }
-
     /// The fit of `wire` from iteration `iteration` on.
     fn problem(&self, wire: Wire, iteration: usize, settings: &Settings) -> Problem {
         let Seen { targets, occluders, texture_masks } = self.looked_at(iteration, settings);
@@ -333,17 +233,6 @@ impl Plan {
     fn measure(&self, wire: &Wire, settings: &Settings) -> Result<SurfaceReport> {
         SurfaceReport::measure(&self.mesh, &self.nearest, wire, settings.curve_spacing)
     }
-}
-
-#[cfg(feature = "threads")]
-fn in_parallel<T: Send>(views: &[View], make: impl Fn(&View) -> T + Sync + Send) -> Vec<T> {
-    use rayon::prelude::*;
-    views.par_iter().map(make).collect()
-}
-
-#[cfg(not(feature = "threads"))]
-fn in_parallel<T>(views: &[View], make: impl Fn(&View) -> T) -> Vec<T> {
-    views.iter().map(make).collect()
 }
 
 /// A fit to a mesh under way.
