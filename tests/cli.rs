@@ -264,7 +264,7 @@ fn a_mesh_is_covered_with_everything_beside_it() {
     assert_eq!((&report["task"], &report["seed"], &report["stopped"]), (&"fill".into(), &3.into(), &false.into()));
     assert_eq!(report["result"]["views"].as_array().unwrap().len(), 5);
     let surface = &report["result"]["surface"];
-    assert!(surface["evenness"]["mean"].as_f64().is_some_and(|mean| (0.2..0.4).contains(&mean)), "{surface}");
+    assert!(surface["mean"].as_f64().is_some_and(|mean| (0.2..0.4).contains(&mean)), "{surface}");
     assert_eq!(report["result"]["components"], 1);
     for name in ["wire.json", "wire.glb", "loss.csv", "front.png", "front-target.png"] {
         assert!(at("box").join(name).exists(), "{name}");
