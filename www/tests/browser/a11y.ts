@@ -19,8 +19,15 @@ export async function axeFaults(page: Page, exclude: readonly string[] = []): Pr
     .map(({ id, impact, help, targets }) => `${id} (${impact}): ${help}: ${targets.map((target) => target.flat().join(" >> ")).join(", ")}`);
 }
 
+/** Nothing is wider than the window. */
+export async function fits(page: Page): Promise<void> {
+  const [wide, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+  expect(wide).toBeLessThanOrEqual(window!);
+}
+
 /** Takes a picture of a state, to be looked at, and has axe look at it. */
 export async function inspect(page: Page, state: string): Promise<void> {
   await shoot(page, state);
+  await fits(page);
   expect(await axeFaults(page)).toEqual([]);
 }
