@@ -5,6 +5,7 @@ import { timeLeft } from "../../state/words";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
 import { JOB_WORDS } from "../app/job-tabs";
+import { barStyle } from "../shared/bar";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
 import { controls } from "../shared/shared";
@@ -17,6 +18,7 @@ export class RunPanel extends Part {
 
   static override styles = [
     controls,
+    barStyle,
     css`
       :host {
         display: block;
@@ -48,22 +50,7 @@ export class RunPanel extends Part {
         font-weight: 600;
       }
       .bar {
-        height: 4px;
         margin-block-start: 16px;
-        overflow: hidden;
-        border-radius: 2px;
-        background: var(--line);
-      }
-      .bar i {
-        display: block;
-        height: 100%;
-        background: var(--copper);
-        transform: scaleX(var(--share, 0));
-        transform-origin: left;
-        transition: transform 150ms linear;
-      }
-      :host(:dir(rtl)) .bar i {
-        transform-origin: right;
       }
       /* Three lines are kept free, so that nothing below moves when a run starts. */
       p {
@@ -91,15 +78,6 @@ export class RunPanel extends Part {
       }
       .steps {
         flex: 1;
-      }
-      @media (forced-colors: active) {
-        .bar {
-          border: 1px solid CanvasText;
-        }
-        .bar i {
-          forced-color-adjust: none;
-          background: Highlight;
-        }
       }
       /* A strip between stage and sheet: one row of buttons, two lines of words. */
       @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {

@@ -1,9 +1,11 @@
-import { css, html, nothing } from "lit";
+import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
 import { Part } from "../../view/part";
 import { WORDS } from "../settings/setting-words";
+import { barStyle } from "../shared/bar";
+import { choiceStyle } from "../shared/choice";
 import { controls } from "../shared/shared";
 
 interface Slider {
@@ -35,6 +37,8 @@ export class FillChoices extends Part {
 
   static override styles = [
     controls,
+    choiceStyle,
+    barStyle,
     css`
       :host {
         display: block;
@@ -46,35 +50,7 @@ export class FillChoices extends Part {
         grid-template-columns: minmax(0, 1fr);
         gap: 12px;
       }
-      .choice {
-        display: grid;
-        min-width: 0;
-      }
-      .head {
-        display: flex;
-        align-items: baseline;
-        justify-content: space-between;
-        gap: 8px;
-        font-size: 13px;
-        line-height: 18px;
-        color: var(--quiet);
-      }
-      .head b {
-        font-weight: 600;
-        color: var(--ink);
-      }
       .off b {
-        color: var(--quiet);
-      }
-      input {
-        width: 100%;
-      }
-      .ends {
-        display: flex;
-        justify-content: space-between;
-        gap: 8px;
-        font-size: 13px;
-        line-height: 18px;
         color: var(--quiet);
       }
       .run {
@@ -100,29 +76,8 @@ export class FillChoices extends Part {
         gap: 4px;
         min-height: 24px;
       }
-      .bar {
-        height: 3px;
-        overflow: hidden;
-        border-radius: 2px;
-      }
-      .busy .bar {
-        background: var(--line);
-      }
-      .bar i {
-        display: block;
-        height: 100%;
-        background: var(--copper);
-        transform: scaleX(var(--share, 0));
-        transform-origin: left;
-      }
-      :host(:dir(rtl)) .bar i {
-        transform-origin: right;
-      }
-      @media (forced-colors: active) {
-        .bar i {
-          forced-color-adjust: none;
-          background: Highlight;
-        }
+      .laying:not(.busy) .bar {
+        visibility: hidden;
       }
       /* A phone: side by side. */
       @container (min-width: 300px) {
@@ -150,7 +105,7 @@ export class FillChoices extends Part {
       ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "needs a style")}
       <label class="run">Lines run ${this.flow(styled)}</label>
       <div class=${busy ? "laying busy" : "laying"}>
-        <div class="bar">${busy ? html`<i></i>` : nothing}</div>
+        <div class="bar"><i></i></div>
         <span class="small quiet" role="status">${busy ? "Laying the lines…" : this.words()}</span>
       </div>
     </div>`;
