@@ -101,6 +101,14 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   await page.getByRole("button", { name: /^Undo/ }).click();
   await expect.poll(() => verdict(page)).toBe(said);
 
+  // What can only be seen on a new wire is said.
+  const laying = page.locator("fill-choices .laying");
+  expect(await laying.textContent()).not.toMatch(/again/);
+  await page.locator("fill-choices #density").fill("0.8");
+  await laying.getByText("Cover it again to see that.").waitFor();
+  await page.getByRole("button", { name: /^Undo/ }).click();
+  await laying.getByText("Cover it again to see that.").waitFor({ state: "detached" });
+
   await page.waitForTimeout(600);
   await page.reload();
   await idle(page);

@@ -148,10 +148,11 @@ export class RunPanel extends Part {
   }
 
   private idle(): TemplateResult {
+    const { doc, planned, restyled } = this.state;
+    const { job } = doc;
     const example = showsExample(this.state);
-    const { job } = this.state.doc;
     return html`
-      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example && !this.state.planned ? "Make it again" : job === "fill" ? "Cover it" : "Run"}</button>
+      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example && !planned && !restyled ? "Make it again" : job === "fill" ? "Cover it" : "Run"}</button>
       ${job === "fill"
         ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-mesh"))}>${icons.open} Open a mesh</button>`
         : job === "stroke"

@@ -27,7 +27,7 @@ const SPACING: Slider = {
   words: (value) => `${(50 * value).toFixed(1)}% of its size`,
 };
 const DENSITY: Slider = { name: "density", label: "Density", range: [0.1, 1, 0.05], ends: ["Light", "Dark"], words: (value) => `${percent(value)} wire` };
-const STYLE: Slider = { name: "style_strength", label: "Style", range: [0, 1, 0.05], ends: ["A hint", "All of it"], words: percent };
+const STYLE: Slider = { name: "style_strength", label: "Style", range: [0, 1, 0.05], ends: ["Not at all", "All of it"], words: percent };
 
 /** What matters most where a wire covers a shape: how close its lines lie, how dark they are, and how far the style bends them. */
 @customElement("fill-choices")
@@ -90,8 +90,12 @@ export class FillChoices extends Part {
         }
         .run {
           display: grid;
+          grid-template-columns: minmax(0, 1fr);
           align-content: start;
           gap: 4px;
+        }
+        select {
+          width: 100%;
         }
       }
     `,
@@ -116,9 +120,10 @@ export class FillChoices extends Part {
   }
 
   private words(): string {
-    const { planned, curve, doc, phase } = this.state;
-    if (!planned || !curve || phase !== "idle") return "";
-    return doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
+    const { planned, restyled, curve, doc, phase } = this.state;
+    if (phase !== "idle") return "";
+    if (planned) return !curve ? "" : doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
+    return restyled ? "Cover it again to see that." : "";
   }
 
   /** `why` it cannot be set, or empty. */
