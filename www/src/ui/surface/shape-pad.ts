@@ -66,6 +66,11 @@ export class ShapePad extends Part {
       :host {
         --clay: color-mix(in srgb, var(--line) 75%, var(--line-strong));
       }
+      @media (forced-colors: active) {
+        :host {
+          --clay: color-mix(in srgb, CanvasText 25%, Canvas);
+        }
+      }
       .line {
         min-height: 37px;
         margin: 6px 0 0;

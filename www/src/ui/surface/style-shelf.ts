@@ -39,6 +39,7 @@ export class StyleShelf extends Part {
         width: 100%;
         height: 100%;
         background: repeating-linear-gradient(transparent 0 5px, var(--line-strong) 5px 6.5px);
+        forced-color-adjust: none;
       }
       #own {
         grid-column: 1 / -1;
