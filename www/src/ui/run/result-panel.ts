@@ -98,7 +98,7 @@ export class ResultPanel extends Part {
         <p class="verdict small">${this.sentence(made)}</p>
       </div>
       ${job === "stroke" ? html`<turned-views></turned-views>` : nothing}
-      ${job === "fill" ? html`<covered-views .made=${made}></covered-views>` : nothing}
+      ${job === "fill" ? html`<covered-views .made=${deskOf(doc).made} ?past=${!made}></covered-views>` : nothing}
       <dl>
         ${job === "fill" ? this.onSurface(made).map(([name, value]) => html`<div class="wide"><dt>${name}</dt><dd>${value}</dd></div>`) : nothing}
         ${this.numbers(made).map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}

@@ -13,6 +13,8 @@ import "./strand-histogram";
 @customElement("covered-views")
 export class CoveredViews extends Part {
   @property({ attribute: false }) made: Made | null = null;
+  /** Whether the stage shows another wire. */
+  @property({ type: Boolean, reflect: true }) past = false;
 
   static override styles = [
     controls,
@@ -24,19 +26,27 @@ export class CoveredViews extends Part {
       }
       /* Five make a block: the front, and the others beside it. */
       ul {
-        grid-template-columns: repeat(4, minmax(0, 1fr));
+        grid-template-columns: minmax(0, 2.55fr) repeat(2, minmax(0, 1fr));
       }
       li:first-child {
-        grid-area: span 2 / span 2;
+        grid-row: span 2;
       }
       button {
         display: grid;
         grid-template-columns: minmax(0, 1fr);
         align-content: space-between;
+        gap: 0;
         height: 100%;
       }
       strand-histogram {
-        margin-block-start: 8px;
+        display: block;
+        margin-block-start: 12px;
+      }
+      :host([past]) {
+        --vivid: 0.35;
+      }
+      canvas {
+        opacity: var(--vivid, 1);
       }
       /* A wide sheet. */
       @container (min-width: 480px) {
@@ -44,7 +54,7 @@ export class CoveredViews extends Part {
           grid-template-columns: repeat(5, minmax(0, 1fr));
         }
         li:first-child {
-          grid-area: auto;
+          grid-row: auto;
         }
       }
     `,

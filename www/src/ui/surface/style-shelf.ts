@@ -59,6 +59,7 @@ export class StyleShelf extends Part {
       }
       #own .words {
         flex: 1;
+        margin: 0;
         text-align: start;
       }
       @media (pointer: coarse) {

@@ -75,6 +75,7 @@ export const tilesStyle = css`
   }
   .words {
     display: block;
+    margin-block-start: 2px;
     overflow: hidden;
     text-overflow: ellipsis;
     white-space: nowrap;
