@@ -69,7 +69,7 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   await phase(page, "running");
   await idle(page);
   const said = await verdict(page);
-  expect(said).toMatch(/Every spot is within \d+\.\d% of the shape’s size of the wire/);
+  expect(said).toMatch(/No spot is farther from it than \d+\.\d% of the shape’s size/);
   expect(await figure(page, "Pieces")).toBe("1");
   expect(parseFloat((await figure(page, "Length"))!)).toBeGreaterThan(20);
   expect(await figure(page, "Off the surface, on average")).toMatch(/^\d+\.\d%$/);

@@ -176,7 +176,7 @@ export class ResultPanel extends Part {
   private onSurface(made: Made | null): readonly Figure[] {
     const surface = made?.finished.measures.surface;
     return [
-      ["99 of 100 spots are within", surface ? worldLength(surface.p99 * surface.spacing) : DASH],
+      ["99 of 100 spots are nearer than", surface ? worldLength(surface.p99 * surface.spacing) : DASH],
       ["Off the surface, on average", surface ? worldLength(surface.drift_mean) : DASH],
     ];
   }

@@ -20,8 +20,7 @@ export function covered(made: Made): string {
   if (!surface) return apart || "One closed wire. Its shape is not with it, so there is nothing to measure it by.";
   const worst = worldLength(surface.worst * surface.spacing);
   const sentences = [
-    `Every spot is within ${worst} of the shape’s size of the wire${apart ? "" : ", which is one closed loop"}.`,
-    apart,
+    `${apart || "The wire is one closed loop."} No spot is farther from it than ${worst} of the shape’s size.`,
     surface.drift_max > SEEN_WORLD ? `It leaves the surface by up to ${worldLength(surface.drift_max)}: less style, or a stronger pull to the surface, keeps it there.` : "",
     surface.crowded > CROWDED ? `Along ${percent(surface.crowded)} of it, ${styled(made) ? "the style draws lines close together" : "lines come close to each other"}.` : "",
     made.stopped ? "It was stopped early: going on may still help." : "",
