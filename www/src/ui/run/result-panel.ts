@@ -17,7 +17,6 @@ import { match, verdict } from "./verdict";
 /** One array, so that it changes nothing. */
 const FRONT = ["front"];
 const DASH = "–";
-const HEADS: Readonly<Record<Job, string>> = { multiview: "Match", stroke: "Match", fill: "Cover" };
 const EXAMPLES: Readonly<Record<Job, string>> = {
   multiview: "Three pictures in one wire. Make it again to watch how it gets there.",
   stroke: "One wire draws the picture, and goes on round the back. Make it again to watch how it gets there.",
@@ -92,7 +91,7 @@ export class ResultPanel extends Part {
     const { job } = doc;
     const made = this.measured();
     return html`
-      <h2>${HEADS[job]}</h2>
+      <h2>${job === "fill" ? "Cover" : "Match"}</h2>
       <div class=${job === "stroke" ? "beside" : ""}>
         ${job === "fill" ? nothing : this.compared(made)}
         <p class="verdict small">${this.sentence(made)}</p>

@@ -5,10 +5,9 @@ import { timeLeft } from "../../state/words";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
 import { JOB_WORDS } from "../app/job-tabs";
-import { barStyle } from "../shared/bar";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
-import { controls } from "../shared/shared";
+import { barStyle, controls } from "../shared/shared";
 
 /** Run and what goes with it, and what is going on in words. Fires `draw`, `choose-picture` or `choose-mesh` when a person wants to. */
 @customElement("run-panel")

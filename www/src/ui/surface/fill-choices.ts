@@ -4,9 +4,8 @@ import type { Studio, StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
 import { Part } from "../../view/part";
 import { WORDS } from "../settings/setting-words";
-import { barStyle } from "../shared/bar";
 import { choiceStyle } from "../shared/choice";
-import { controls } from "../shared/shared";
+import { barStyle, controls } from "../shared/shared";
 
 interface Slider {
   readonly name: string;
