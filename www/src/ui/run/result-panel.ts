@@ -124,12 +124,12 @@ export class ResultPanel extends Part {
     this.covered?.recolour?.();
   }
 
-  /** Pictures come and go with the job, and the script of some when they are first wanted. */
+  /** Pictures come and go with the job, and the script of some when they are first wanted: they may be gone before it is there. */
   protected override updated(): void {
     for (const pictures of [this.panels, this.turned]) {
       if (!pictures || this.told.has(pictures)) continue;
       this.told.add(pictures);
-      void customElements.whenDefined(pictures.localName).then(() => pictures.setWire(this.wire));
+      void customElements.whenDefined(pictures.localName).then(() => pictures.setWire?.(this.wire));
     }
   }
 
