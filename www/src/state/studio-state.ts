@@ -29,6 +29,8 @@ export interface StudioState extends ProjectState, RunState, PreviewState, Cover
   readonly dressing: PadState;
   /** Whether the stage shows how a wire would run, and not the one that was made. */
   readonly planned: boolean;
+  /** Whether a wire on the same way would now be bent or thickened in another manner. */
+  readonly restyled: boolean;
   /** What the examples came with: while it is there as it came, a wire that is an example is of it. */
   readonly examples: Readonly<Record<Job, unknown>>;
   /** The core's settings; null until it has told them. */
@@ -57,6 +59,7 @@ export const AT_FIRST: StudioState = {
   sitting: QUIET,
   dressing: QUIET,
   planned: false,
+  restyled: false,
   examples: { multiview: null, stroke: null, fill: null },
   phase: "idle",
   progress: READY,

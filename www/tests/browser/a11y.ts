@@ -19,8 +19,21 @@ export async function axeFaults(page: Page, exclude: readonly string[] = []): Pr
     .map(({ id, impact, help, targets }) => `${id} (${impact}): ${help}: ${targets.map((target) => target.flat().join(" >> ")).join(", ")}`);
 }
 
+/** Nothing is wider than the window and, where its parts scroll by themselves, the page as a whole does not. */
+export async function fits(page: Page): Promise<void> {
+  const [wide, tall] = await page.evaluate(() => {
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    const app = document.querySelector("wire-app");
+    const divided = app !== null && getComputedStyle(app).overflowY === "hidden";
+    return [scrollWidth - innerWidth, divided ? scrollHeight - innerHeight : 0];
+  });
+  expect(wide).toBeLessThanOrEqual(0);
+  expect(tall).toBeLessThanOrEqual(0);
+}
+
 /** Takes a picture of a state, to be looked at, and has axe look at it. */
 export async function inspect(page: Page, state: string): Promise<void> {
   await shoot(page, state);
+  await fits(page);
   expect(await axeFaults(page)).toEqual([]);
 }

@@ -3,27 +3,21 @@
 import { mkdtemp, open } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { DRAWINGS, give, launch, pad, picture, runButton, serveDist, visit, type Site } from "./browser";
+import { DRAWINGS, give, pad, picture, runButton, visit } from "./browser";
 import { dropFiles } from "./gestures";
 import { padsReady } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite();
 let page: Page;
 let faults: string[];
 
 beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
   ({ page, faults } = await visit(browser, site.url));
   await padsReady(page);
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
 });
 
 const shown = (index: number) => pad(page, index).locator("canvas#ink").evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());

@@ -137,6 +137,17 @@ export function pad(page: Page, index: number): Locator {
   return page.locator("drawing-pad").nth(index);
 }
 
+/** Turns a narrow page to a part by its tab; a wide one shows them all. */
+export async function openPart(page: Page, name: string): Promise<void> {
+  const tab = page.getByRole("tab", { name, exact: true });
+  if (await tab.count()) await tab.click();
+}
+
+/** One of the numbers of the wire that was made. */
+export async function figure(page: Page, name: string): Promise<string | null> {
+  return page.locator("result-panel dl div", { has: page.getByText(name, { exact: true }) }).locator("dd").textContent();
+}
+
 /** Sets a setting: one of the row of radio buttons near Run, or a control of a folded group. */
 export async function choose(page: Page, setting: string, value: string): Promise<void> {
   const radio = page.locator(`input[type=radio][name=${setting}][value="${value}"]`);
@@ -173,6 +184,11 @@ export function runButton(page: Page): Locator {
 export async function run(page: Page): Promise<void> {
   await runButton(page).click();
   await page.locator("[data-phase]:not([data-phase=idle])").first().waitFor({ state: "attached" });
+}
+
+/** Waits until a run is that far. */
+export async function phase(page: Page, name: string): Promise<void> {
+  await page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
 }
 
 /** Waits until nothing runs. */

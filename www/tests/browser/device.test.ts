@@ -1,24 +1,14 @@
 /** Where runs are computed: what the page says of it, the setting, the address, and a tab that is hidden meanwhile. */
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, contextWithProfile, idle, launch, runButton, runSettings, serveDist, shoot, visit, type Site } from "./browser";
+import { choose, contextWithProfile, idle, phase, runButton, runSettings, shoot, visit } from "./browser";
 import { padsReady } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite();
 
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
-
-const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
 const device = (page: Page) => page.locator("run-panel [data-backend]");
 const notice = (page: Page) => page.locator("notice-list .notice");
 

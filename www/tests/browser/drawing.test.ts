@@ -1,26 +1,17 @@
 /** Making drawings as people do: with pen and eraser, words, icons and pictures; and what the page makes of them. */
 
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, DRAWINGS, give, launch, pad, picture, serveDist, visit, type Site } from "./browser";
+import { choose, DRAWINGS, give, pad, picture, serveDist, visit } from "./browser";
 import { drawStroke, pasteFile } from "./gestures";
 import { hatchedOn, inkOn, padsReady, previewed } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite();
 let page: Page;
 let faults: string[];
-
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
 beforeEach(async () => {
   ({ page, faults } = await visit(browser, site.url));
   await padsReady(page);

@@ -1,26 +1,16 @@
 /** Work is kept: over reloads, crashes and tabs. */
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, contextWithProfile, idle, launch, pad, runButton, serveDist, visit, type Site } from "./browser";
+import { choose, contextWithProfile, figure, idle, pad, phase, runButton, visit } from "./browser";
 import { drawStroke } from "./gestures";
 import { inkOn, padsReady, previewed } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite();
 
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
-
-const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
-const points = (page: Page) => page.locator("result-panel dd").nth(2).textContent();
+const points = (page: Page) => figure(page, "Control points");
 
 it("brings back drawings, settings and the wire after a reload", async () => {
   const context = await contextWithProfile(browser);

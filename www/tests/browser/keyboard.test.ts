@@ -1,23 +1,14 @@
 /** The whole way from a first visit to a file, without ever touching a mouse. */
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { idle, launch, serveDist, visit, type Site } from "./browser";
+import { idle, phase, visit } from "./browser";
 import { downloaded } from "./gestures";
 import { inkOn, padsReady } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
-
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
+const { browser, site } = await openSite();
 
 /** What has the focus, through shadow roots: its name for people, or its tag. */
 function focused(page: Page): Promise<string> {
@@ -67,7 +58,7 @@ it("draws, types, runs, looks round, and saves by keys alone", async () => {
   // A quick sketch, run and paused by space, ended by its button.
   await tabTo(page, /^Run/);
   await page.keyboard.press("Enter");
-  await page.locator("[data-phase=running]").first().waitFor({ state: "attached", timeout: 60_000 });
+  await phase(page, "running");
   await tabTo(page, /^Stop/);
   await page.keyboard.press("Enter");
   await idle(page);

@@ -1,24 +1,15 @@
 /** The helpers of the browser tests themselves: each can see the fault it looks for. */
 
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
 import { axeFaults } from "./a11y";
-import { contextWithProfile, DRAWINGS, launch, requestsElsewhere, serveDist, visit, type Site } from "./browser";
+import { contextWithProfile, DRAWINGS, launch, requestsElsewhere, visit } from "./browser";
 import { downloaded, drawStroke, dropFiles, pasteFile } from "./gestures";
+import { openSite } from "./site";
 import { throttle, watchLongTasks } from "./throttle";
 
-let browser: Browser;
-let site: Site;
-
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
+const { browser, site } = await openSite();
 
 /** An empty page of ours: the address must be a real one for storage to be there. */
 async function empty(body: string, options: Parameters<typeof visit>[2] = {}): Promise<Page> {

@@ -1,9 +1,10 @@
 /** The engine on a browser's device against the processor's, without the page: wire by wire, and when the device is lost. */
 
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { launch, ROOT, serveDist, type Site } from "./browser";
+import type { Page } from "playwright-core";
+import { beforeAll, expect, it } from "vitest";
+import { ROOT } from "./browser";
+import { openSite } from "./site";
 
 /** A device that is a program, so that every machine has one. */
 const WITH_WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
@@ -31,21 +32,14 @@ interface Place {
 
 type Core = typeof import("../../src/engine/wasm/wire4d");
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite("/", { args: WITH_WEBGPU }, join(ROOT, "www/src/engine/wasm"));
 let page: Page;
 
 beforeAll(async () => {
-  browser = await launch({ args: WITH_WEBGPU });
-  site = await serveDist("/", join(ROOT, "www/src/engine/wasm"));
   page = await browser.newPage();
   await page.route("**/core.html", (route) => route.fulfill({ contentType: "text/html", body: PAGE }));
   await page.goto(`${site.url}core.html`);
   await page.waitForFunction(() => "core" in window);
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
 });
 
 const parities = (skew: number) =>

@@ -1,26 +1,17 @@
 /** A run as people steer it: run, pause, step, look back, go on from there, stop, reset. */
 
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { afterEach, beforeEach, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, DRAWINGS, give, idle, launch, requestsElsewhere, runButton, serveDist, shoot, visit, type Site, type Visit } from "./browser";
+import { choose, DRAWINGS, figure, give, idle, phase, requestsElsewhere, runButton, shoot, visit, type Visit } from "./browser";
 import { padsReady, previewed } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
+// Deep in a subpath: nothing on the page may count on lying at the root.
+const { browser, site } = await openSite("/some/where/wire4d/");
 let visited: Visit;
 let page: Page;
-
-beforeAll(async () => {
-  browser = await launch();
-  // Deep in a subpath: nothing on the page may count on lying at the root.
-  site = await serveDist("/some/where/wire4d/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
 beforeEach(async () => {
   visited = await visit(browser, site.url);
   ({ page } = visited);
@@ -33,8 +24,7 @@ afterEach(async () => {
 });
 
 const button = (name: string | RegExp) => page.getByRole("button", { name });
-const phase = (name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
-const pieces = () => page.locator("result-panel div", { has: page.getByText("Pieces", { exact: true }) }).last().locator("dd").textContent();
+const pieces = () => figure(page, "Pieces");
 const step = async () => parseInt((/Step ([\d,]+) of/.exec((await page.locator("run-panel p").textContent())!)?.[1] ?? "-1").replaceAll(",", ""));
 const range = () => page.getByLabel("The run, wire by wire");
 /** The step whose wire is on the stage. */
@@ -50,7 +40,7 @@ it("turns three drawings into one wire: the loss falls, every view matches, a se
     return seen;
   });
   await runButton(page).click();
-  await phase("running");
+  await phase(page, "running");
   await shoot(page, "running");
   await expect.poll(() => page.title()).toMatch(/^\d+% · Wire4D/);
   await idle(page);
@@ -70,10 +60,10 @@ it("turns three drawings into one wire: the loss falls, every view matches, a se
 
 it("pauses, steps one by one, and goes on", async () => {
   await runButton(page).click();
-  await phase("running");
+  await phase(page, "running");
   await expect.poll(step, { timeout: 60_000 }).toBeGreaterThan(5);
   await button("Pause").click();
-  await phase("paused");
+  await phase(page, "paused");
   await page.waitForTimeout(400);
   const held = await step();
   await page.waitForTimeout(600);
@@ -84,7 +74,7 @@ it("pauses, steps one by one, and goes on", async () => {
   }
   await page.locator("body").click({ position: { x: 640, y: 20 } });
   await page.keyboard.press("Space");
-  await phase("running");
+  await phase(page, "running");
   await expect.poll(step, { timeout: 30_000 }).toBeGreaterThan(held + 3);
   await button("Stop").click();
   await idle(page);
@@ -94,11 +84,11 @@ it("pauses, steps one by one, and goes on", async () => {
 
 it("looks back at the wires of a run, and goes on from one of them", async () => {
   await runButton(page).click();
-  await phase("running");
+  await phase(page, "running");
   await expect.poll(looked, { timeout: 60_000 }).toBeGreaterThan(40);
   // Looking back pauses a run.
   await range().fill("20");
-  await phase("paused");
+  await phase(page, "paused");
   await page.getByText(/Looking back at/).waitFor();
   expect(await looked()).toBeLessThan(30);
   await inspect(page, "looking-back");
@@ -108,7 +98,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await idle(page);
   await choose(page, "preset", "fast");
   await runButton(page).click();
-  await phase("running");
+  await phase(page, "running");
   await idle(page);
   expect(await looked()).toBe(220);
   const full = await page.locator("[data-view=front]").textContent();
@@ -119,7 +109,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   const from = await looked();
   expect(from).toBeLessThan(220);
   await button("Go on from here").click();
-  await phase("running");
+  await phase(page, "running");
   await expect.poll(step).toBeGreaterThanOrEqual(from);
   await idle(page);
   expect(await looked()).toBe(220);
@@ -135,7 +125,7 @@ it("goes back to what was before, by reset and while the first wire is still sou
   await idle(page);
   expect(await files.isEnabled()).toBe(true);
   await runButton(page).click();
-  await phase("running");
+  await phase(page, "running");
   await button("Reset").click();
   await idle(page);
   expect(await files.isEnabled()).toBe(true);
@@ -145,7 +135,7 @@ it("goes back to what was before, by reset and while the first wire is still sou
 it("goes on in a hidden tab", async () => {
   await choose(page, "preset", "fast");
   await runButton(page).click();
-  await phase("running");
+  await phase(page, "running");
   const other = await page.context().newPage();
   await other.bringToFront();
   await idle(page);

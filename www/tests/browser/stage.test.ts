@@ -1,20 +1,11 @@
 /** The stage: what is seen on it, drawn in a worker or, where that is not possible, in the page. */
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { launch, serveDist, visit, type Site } from "./browser";
+import type { Page } from "playwright-core";
+import { describe, expect, it } from "vitest";
+import { visit } from "./browser";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
-
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
+const { browser, site } = await openSite();
 
 /** Share of a picture's pixels that are copper, however it is lit. */
 function copperIn(page: Page, png: string): Promise<number> {

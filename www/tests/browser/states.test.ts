@@ -1,40 +1,22 @@
 /** Every state of the page at the widths and in the colours people have: kept as pictures, and free of serious faults. */
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { axeFaults } from "./a11y";
-import { choose, idle, launch, runButton, serveDist, shoot, SMALL, visit, type Site, type VisitOptions } from "./browser";
+import type { Page } from "playwright-core";
+import { describe, expect, it } from "vitest";
+import { fits, inspect } from "./a11y";
+import { choose, idle, launch, phase, runButton, shoot, SMALL, visit, type VisitOptions } from "./browser";
 import { padsReady, previewed } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
-
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
+const { browser, site } = await openSite();
 
 const SIZES = [[1440, 900], [820, 1180], [360, 740]] as const;
-
-async function fits(page: Page): Promise<void> {
-  const [wide, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-  expect(wide).toBeLessThanOrEqual(window!);
-}
 
 for (const [width, height] of SIZES) {
   for (const colorScheme of ["light", "dark"] as const) {
     it(`from a first visit to a finished wire at ${width} px, ${colorScheme}`, async () => {
       const options: VisitOptions = { viewport: { width, height }, colorScheme, hasTouch: width < 900 };
       const { page, faults } = await visit(browser, site.url, options);
-      const look = async (state: string) => {
-        await shoot(page, `${state}-${width}-${colorScheme}`);
-        await fits(page);
-        expect(await axeFaults(page)).toEqual([]);
-      };
+      const look = (state: string) => inspect(page, `${state}-${width}-${colorScheme}`);
       await padsReady(page);
       await page.evaluate(() => document.fonts.ready);
       await look("first-visit");
@@ -64,7 +46,7 @@ for (const [width, height] of SIZES) {
       await tab("Run");
       await choose(page, "preset", "fast");
       await runButton(page).click();
-      await page.locator("[data-phase=running]").first().waitFor({ state: "attached", timeout: 60_000 });
+      await phase(page, "running");
       await page.waitForTimeout(300);
       await shoot(page, `running-${width}-${colorScheme}`);
       await idle(page);
@@ -90,11 +72,10 @@ describe("in hard places", () => {
     await padsReady(page);
     await choose(page, "preset", "fast");
     await runButton(page).click();
-    await page.locator("[data-phase=running]").first().waitFor({ state: "attached", timeout: 60_000 });
+    await phase(page, "running");
     await idle(page);
     expect(await page.locator(".verdict").textContent()).toMatch(/match/);
-    await shoot(page, "no-webgl");
-    expect(await axeFaults(page)).toEqual([]);
+    await inspect(page, "no-webgl");
     expect(faults.filter((fault) => !/WebGL/.test(fault))).toEqual([]);
     await page.context().close();
   });
@@ -103,8 +84,7 @@ describe("in hard places", () => {
     const { page } = await visit(browser, site.url, { worker: false });
     await page.locator("notice-list").getByText(/worker|engine/i).first().waitFor();
     expect(await page.locator("[data-view]").count()).toBe(3);
-    await shoot(page, "no-worker");
-    expect(await axeFaults(page)).toEqual([]);
+    await inspect(page, "no-worker");
     await page.context().close();
   });
 
@@ -141,8 +121,7 @@ describe("in hard places", () => {
   it("keeps its edges in forced colours", async () => {
     const { page } = await visit(browser, site.url, { forcedColors: "active", colorScheme: "dark" });
     await padsReady(page);
-    await shoot(page, "forced-colours");
-    expect(await axeFaults(page)).toEqual([]);
+    await inspect(page, "forced-colours");
     await page.context().close();
   });
 
@@ -179,7 +158,7 @@ describe("in hard places", () => {
     });
     await choose(page, "preset", "fast");
     await runButton(page).click();
-    await page.locator("[data-phase=running]").first().waitFor({ state: "attached", timeout: 60_000 });
+    await phase(page, "running");
     await idle(page);
     await page.waitForTimeout(3500);
     const times = (await heard.jsonValue()) as number[];

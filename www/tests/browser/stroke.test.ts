@@ -1,36 +1,22 @@
 /** One picture to a wire that turns, as people make one: from a picture to a comparison, and everything back after a reload. */
 
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { axeFaults } from "./a11y";
-import { choose, contextWithProfile, idle, launch, requestsElsewhere, ROOT, runButton, serveDist, shoot, visit, type Site, type VisitOptions } from "./browser";
+import type { Page } from "playwright-core";
+import { expect, it } from "vitest";
+import { inspect } from "./a11y";
+import { choose, contextWithProfile, figure, idle, openPart, phase, requestsElsewhere, ROOT, runButton, shoot, visit, type VisitOptions } from "./browser";
 import { dropFiles } from "./gestures";
 import { inkOn, padsReady } from "./pads";
+import { openSite } from "./site";
 
 const STROKES = join(ROOT, "tests/strokes");
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite("/some/where/");
 
-beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/some/where/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
-
-const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 120_000 });
 const job = (page: Page, name: "Three views" | "One picture") => page.getByRole("tab", { name });
 const pad = (page: Page) => page.locator("subject-pad");
 const verdict = (page: Page) => page.locator("result-panel .verdict").textContent();
 const comparison = (page: Page) => page.locator("wire-comparison");
-const part = async (page: Page, name: string) => {
-  const tab = page.getByRole("tab", { name, exact: true });
-  if (await tab.count()) await tab.click();
-};
 
 /** Turns to the second job, whose example is then there. */
 async function toOnePicture(page: Page): Promise<void> {
@@ -49,10 +35,10 @@ async function give(page: Page, file: string): Promise<void> {
 
 /** Settings that are quick on a slow machine. */
 async function quick(page: Page, iterations = "30"): Promise<void> {
-  await part(page, "Settings");
+  await openPart(page, "Settings");
   await choose(page, "size", "64");
   await choose(page, "iterations", iterations);
-  await part(page, "Run");
+  await openPart(page, "Run");
 }
 
 /** What each canvas shows, as a short number; 0 for an empty one. */
@@ -96,8 +82,7 @@ it("makes a wire of a picture, shows it from all sides, compares it with loose s
   const said = await verdict(page);
   expect(said).toMatch(/^\s*The front (matches well|does not match)/);
   expect(parseInt((await page.locator("[data-view=front]").textContent())!)).toBeGreaterThan(50);
-  const pieces = await page.locator("result-panel div", { has: page.getByText("Pieces", { exact: true }) }).last().locator("dd").textContent();
-  expect(pieces).toBe("1");
+  expect(await figure(page, "Pieces")).toBe("1");
   await expect.poll(() => drawn(page, "turned-views canvas")).not.toEqual(ofTheExample);
   await allDiffer(page, "turned-views canvas", 6);
 
@@ -298,8 +283,7 @@ it("does it all by keys", async () => {
   await page.keyboard.press("Enter");
   await idle(page);
   // As few points as were asked for.
-  const points50 = await page.locator("result-panel div", { has: page.getByText("Control points", { exact: true }) }).last().locator("dd").textContent();
-  expect(Number(points50)).toBe(50);
+  expect(Number(await figure(page, "Control points"))).toBe(50);
   await tabTo(/Look at it: .*back/i);
   await page.keyboard.press("Enter");
   expect(faults).toEqual([]);
@@ -329,18 +313,13 @@ for (const [width, height] of [[1440, 900], [360, 740]] as const) {
     it(`is free of faults at ${width} px, ${colorScheme}`, async () => {
       const options: VisitOptions = { viewport: { width, height }, colorScheme, hasTouch: width < 900 };
       const { page, faults } = await visit(browser, site.url, options);
-      const look = async (state: string) => {
-        await shoot(page, `stroke-${state}-${width}-${colorScheme}`);
-        expect(await axeFaults(page)).toEqual([]);
-        const [wide, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        expect(wide).toBeLessThanOrEqual(window!);
-      };
+      const look = (state: string) => inspect(page, `stroke-${state}-${width}-${colorScheme}`);
       await padsReady(page);
       await page.evaluate(() => document.fonts.ready);
       await toOnePicture(page);
       await page.waitForTimeout(500);
       await look("first-visit");
-      await part(page, "Run");
+      await openPart(page, "Run");
       await look("choices");
       await quick(page, "20");
       await runButton(page).click();
@@ -354,11 +333,11 @@ for (const [width, height] of [[1440, 900], [360, 740]] as const) {
       await comparison(page).evaluate((element) => element.scrollIntoView({ block: "end" }));
       await page.waitForTimeout(500);
       await look("compared");
-      await part(page, "Settings");
+      await openPart(page, "Settings");
       await page.locator("settings-panel summary").filter({ hasText: /^\s*Stroke/ }).click();
       await page.locator("setting-control[data-setting=roundness]").scrollIntoViewIfNeeded();
       await look("settings");
-      await part(page, "Picture");
+      await openPart(page, "Picture");
       await page.getByRole("button", { name: "Start over" }).click();
       await pad(page).getByText("Or try one of these").waitFor();
       await look("empty");

@@ -1,31 +1,25 @@
 /** One picture: how people give it, see its object, choose another and correct it with a brush. The elements alone. */
 
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { build } from "vite";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import { afterEach, beforeAll, describe, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { launch, picture, ROOT, serveDist, visit, type Site, type VisitOptions } from "./browser";
+import { picture, ROOT, visit, type VisitOptions } from "./browser";
 import { drawStroke, dropFiles, pasteFile } from "./gestures";
+import { openSite } from "./site";
 
 const PLACE = join(ROOT, "www/tests/browser/subject");
 const BUILT = join(ROOT, "target/subject-place");
 const DESK = { viewport: { width: 1440, height: 900 } } as const;
 const PHONE = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 } as const;
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite("/", { args: ["--use-fake-device-for-media-stream=device-count=2"] }, BUILT);
 let page: Page;
 let faults: string[];
 
 beforeAll(async () => {
   await build({ root: PLACE, base: "./", logLevel: "error", publicDir: false, build: { outDir: BUILT, emptyOutDir: true, target: "es2022", assetsInlineLimit: 0 } });
-  browser = await launch({ args: ["--use-fake-device-for-media-stream=device-count=2"] });
-  site = await serveDist("/", BUILT);
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
 });
 afterEach(async () => {
   expect(faults).toEqual([]);

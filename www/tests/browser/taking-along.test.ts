@@ -2,23 +2,21 @@
 
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, DRAWINGS, give, idle, launch, requestsElsewhere, runButton, serveDist, SHOTS, visit, type Site, type Visit } from "./browser";
+import { choose, DRAWINGS, give, idle, phase, requestsElsewhere, runButton, SHOTS, visit, type Visit } from "./browser";
 import { downloaded, dropFiles } from "./gestures";
 import { validateGlb } from "./glb";
 import { padsReady, previewed } from "./pads";
+import { openSite } from "./site";
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite("/wire/");
 let visited: Visit;
 let page: Page;
 let link: string;
 
 beforeAll(async () => {
-  browser = await launch();
-  site = await serveDist("/wire/");
   visited = await visit(browser, site.url);
   ({ page } = visited);
   await padsReady(page);
@@ -28,13 +26,9 @@ beforeAll(async () => {
   await previewed(page);
   await choose(page, "preset", "fast");
   await runButton(page).click();
-  await page.locator("[data-phase=running]").first().waitFor({ state: "attached", timeout: 60_000 });
+  await phase(page, "running");
   await idle(page);
   await page.locator("save-panel summary").click();
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
 });
 
 const save = (name: RegExp) => downloaded(page, () => page.locator("save-panel").getByRole("button", { name }).click());

@@ -1,10 +1,11 @@
 /** Runs on WebGPU, computed by SwiftShader: right, not fast. And what the page says where there is none. */
 
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { describe, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { idle, launch, runButton, runSettings, serveDist, shoot, visit, type Site, type VisitOptions } from "./browser";
+import { idle, phase, runButton, runSettings, shoot, visit, type VisitOptions } from "./browser";
 import { padsReady } from "./pads";
+import { openSite } from "./site";
 
 /** No address of this machine's own, so that what is there is no secure context. */
 const ELSEWHERE = "wire4d.test";
@@ -20,19 +21,8 @@ const KEEP_DEVICES = `
     return device;
   };`;
 
-let browser: Browser;
-let site: Site;
+const { browser, site } = await openSite("/", { args: SWIFTSHADER });
 
-beforeAll(async () => {
-  browser = await launch({ args: SWIFTSHADER });
-  site = await serveDist("/");
-});
-afterAll(async () => {
-  await browser.close();
-  site.server.close();
-});
-
-const phase = (page: Page, name: string) => page.locator(`[data-phase=${name}]`).first().waitFor({ state: "attached", timeout: 60_000 });
 /** Stops a run so long that nobody can miss it running. */
 async function stop(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Stop" }).click();

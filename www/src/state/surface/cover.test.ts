@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { curveKey, solidName, wordsOf, type Cover } from "./cover";
+import { curveKey, lookKey, solidName, wordsOf, type Cover } from "./cover";
 
 const vase: Cover = { solid: { shape: "vase" }, style: "waves" };
 const own: Cover = { solid: { key: "k1", name: "bunny.obj", file: new Blob() }, style: null };
@@ -11,6 +11,16 @@ it("tells apart what makes another curve, and nothing else", () => {
   expect(key(vase, { density: "0.9", style_size: "2" })).toBe(key(vase));
   expect(key({ ...vase, style: "petals" })).toBe(key(vase));
   expect(key({ ...vase, solid: { shape: "knot" } })).not.toBe(key(vase));
+});
+
+it("tells apart wires that only look another way, and minds the style's settings where there is one", () => {
+  const look = (cover: Cover, changed: Readonly<Record<string, string>> = {}) => lookKey(cover, (name) => changed[name] ?? "1");
+  const plain: Cover = { ...vase, style: null };
+  for (const name of ["density", "style_strength", "motif"]) expect(look(vase, { [name]: "2" })).not.toBe(look(vase));
+  expect(look({ ...vase, style: "petals" })).not.toBe(look(vase));
+  expect(look(plain, { density: "2" })).not.toBe(look(plain));
+  expect(look(plain, { style_strength: "2" })).toBe(look(plain));
+  expect(look(vase, { curve_spacing: "2" })).toBe(look(vase));
 });
 
 it("minds the style where lines follow it", () => {

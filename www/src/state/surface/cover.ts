@@ -48,6 +48,14 @@ const CURVE_SETTINGS = ["curve_spacing", "flow", "start", "seed"] as const;
 /** Those that do so where lines follow the style. */
 const STYLE_SETTINGS = ["style_size", "motif"] as const;
 
+/** Those that bend and thicken the wire on its way; without a style only the first. */
+const LOOK_SETTINGS = ["density", "style_strength", "style_size", "motif"] as const;
+
+/** Tells apart wires on the same curve. */
+export function lookKey({ style }: Cover, value: (name: string) => string): string {
+  return [styleName(style), ...LOOK_SETTINGS.slice(0, style === null ? 1 : undefined).map(value)].join("|");
+}
+
 /** Tells curves apart: two covers with the same one have the same curve. `value` gives a setting's value. */
 export function curveKey({ solid, style }: Cover, value: (name: string) => string): string {
   const styled = value("flow") === "style" ? [styleName(style), ...STYLE_SETTINGS.map(value)] : [];

@@ -6,11 +6,20 @@ import { deskOf, type Made } from "../keeping/document";
 import type { Coverer } from "../run/coverer";
 import type { Options } from "../settings/options";
 import { tableOf, type Bench } from "../studio-state";
-import { curveKey, solidKey } from "./cover";
+import { curveKey, lookKey, solidKey, type Cover } from "./cover";
+
+/** What a wire is made of. */
+interface Keys {
+  readonly solid: string;
+  readonly curve: string;
+  readonly look: string;
+}
+
+const keysOf = (cover: Cover, value: (name: string) => string): Keys => ({ solid: solidKey(cover.solid), curve: curveKey(cover, value), look: lookKey(cover, value) });
 
 export class Planning {
-  /** The curves that wires were made of. One from elsewhere is of what was there when it came. */
-  private readonly curves = new WeakMap<Made, { readonly solid: string; readonly curve: string }>();
+  /** Of wires that were made. One from elsewhere is of what was there when it came. */
+  private readonly keys = new WeakMap<Made, Keys>();
 
   constructor(
     private readonly bench: Bench,
@@ -26,13 +35,14 @@ export class Planning {
     if (!cover) this.coverer.forget();
     if (!cover || doc.job !== "fill" || !tableOf(store.get())) {
       if (cover) this.coverer.follow(null);
-      this.plan(false);
+      this.plan(false, false);
       return;
     }
-    const curve = curveKey(cover, (name) => this.options.value(name));
-    const planned = !ahead && this.curveOf(curve)?.curve !== curve;
-    this.plan(planned);
-    this.coverer.follow(busy ? null : { cover, settings, curve: planned ? curve : null });
+    const now = keysOf(cover, (name) => this.options.value(name));
+    const made = ahead ? now : this.keysOfMade(now);
+    const planned = made?.curve !== now.curve;
+    this.plan(planned, !planned && made?.look !== now.look);
+    this.coverer.follow(busy ? null : { cover, settings, curve: planned ? now.curve : null });
   }
 
   /** What stands on the stage for the finished wire. */
@@ -40,28 +50,27 @@ export class Planning {
     const { doc, store } = this.bench;
     const { planned, curve } = store.get();
     if (doc.job !== "fill" || !planned) return made;
-    const known = doc.desks.fill.made && this.curves.get(doc.desks.fill.made);
+    const known = doc.desks.fill.made && this.keys.get(doc.desks.fill.made);
     return curve ?? (known && doc.cover && known.solid === solidKey(doc.cover.solid) ? made : null);
   }
 
-  private plan(planned: boolean): void {
+  private plan(planned: boolean, restyled: boolean): void {
     const { store } = this.bench;
-    if (planned !== store.get().planned) store.set({ planned });
+    const before = store.get();
+    if (planned !== before.planned || restyled !== before.restyled) store.set({ planned, restyled });
   }
 
   /** Of the finished wire. */
-  private curveOf(now: string): { readonly solid: string; readonly curve: string } | null {
+  private keysOfMade(now: Keys): Keys | null {
     const { doc, store } = this.bench;
     const { made } = deskOf(doc);
     if (!made) return null;
-    let known = this.curves.get(made);
+    let known = this.keys.get(made);
     if (!known) {
       const { given, settings } = made.track ?? {};
       const table = tableOf(store.get())!;
-      const cover = given?.job === "fill" ? given.cover : null;
-      const value = (name: string): string => settings?.[name] ?? presetOf(settings ?? {}, table)[name] ?? "";
-      known = { solid: solidKey((cover ?? doc.cover!).solid), curve: cover ? curveKey(cover, value) : now };
-      this.curves.set(made, known);
+      known = given?.job === "fill" ? keysOf(given.cover, (name) => settings![name] ?? presetOf(settings!, table)[name] ?? "") : now;
+      this.keys.set(made, known);
     }
     return known;
   }

@@ -46,6 +46,12 @@ export const layout = css`
   main {
     display: contents;
   }
+  /* What is placed within them scrolls with them: nothing hangs out below the page. */
+  .left,
+  .right,
+  section {
+    position: relative;
+  }
   .coming {
     visibility: hidden;
   }

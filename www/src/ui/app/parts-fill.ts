@@ -1,4 +1,4 @@
+import "../surface/covered-views";
 import "../surface/fill-choices";
 import "../surface/shape-pad";
 import "../surface/style-shelf";
-import "../surface/surface-result";

@@ -14,7 +14,6 @@ import { loadParts, loadPartsOf, rendered } from "./parts";
 import { remember, remembered } from "../../state/keeping/remember";
 import type { ResultPanel } from "../run/result-panel";
 import type { ShapePad } from "../surface/shape-pad";
-import type { SurfaceResult } from "../surface/surface-result";
 import type { SavePanel } from "../save/save-panel";
 import { controls } from "../shared/shared";
 import { actionOf, isTaken, type Action } from "./shortcuts";
@@ -105,8 +104,7 @@ export class WireApp extends LitElement {
             ${job === "stroke"
               ? html`<stroke-choices .studio=${studio} .state=${now}></stroke-choices>`
               : html`<run-choices .studio=${studio} .state=${now}></run-choices>`}
-            ${job === "fill" ? html`<surface-result .state=${now}></surface-result>` : nothing}
-            <result-panel .state=${now} ?hidden=${job === "fill"}></result-panel>
+            <result-panel .state=${now}></result-panel>
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${job === "fill"}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
@@ -206,7 +204,6 @@ export class WireApp extends LitElement {
       "theme-change",
       () => {
         this.result.recolour();
-        this.renderRoot.querySelector<SurfaceResult>("surface-result")?.recolour?.();
         this.comparison.recolour();
       },
       { signal },

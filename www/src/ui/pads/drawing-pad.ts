@@ -9,7 +9,7 @@ import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
-import { droppedPicture, isDropOver, problemOver } from "../shared/drop";
+import { chosenFile, droppedPicture, isDropOver, problemOver } from "../shared/drop";
 import { controls } from "../shared/shared";
 
 export type EditorTab = "draw" | "type" | "icons" | "picture";
@@ -409,9 +409,8 @@ export class DrawingPad extends Part {
     if (file && !this.locked) void this.studio.pads.give(this.slotName, file, file.name || "The picture");
   }
 
-  private chosen(): void {
-    this.give(this.input.files?.[0]);
-    this.input.value = "";
+  private chosen(event: Event): void {
+    this.give(chosenFile(event));
   }
 
   private dragOver(event: DragEvent): void {

@@ -10,6 +10,7 @@ import { FIRST_PEN, inkOf, movedBy, pictureIn, titled, type EditorTab } from "./
 import { sheetAndTools } from "./editor-style";
 import "./icon-shelf";
 import type { TakenIcon } from "./icon-shelf";
+import { chosenFile } from "../shared/drop";
 import { icons } from "../shared/icons";
 import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
@@ -399,9 +400,7 @@ export class PadEditor extends LitElement {
   }
 
   private chosen(event: Event): void {
-    const input = event.target as HTMLInputElement;
-    this.give(input.files?.[0]);
-    input.value = "";
+    this.give(chosenFile(event));
   }
 
   private paste(event: ClipboardEvent): void {

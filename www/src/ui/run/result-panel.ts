@@ -9,16 +9,21 @@ import "../../view/match-panels";
 import type { Match, MatchPanels } from "../../view/match-panels";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
+import { covered, worldLength } from "../surface/covered";
+import type { CoveredViews } from "../surface/covered-views";
 import type { TurnedViews } from "./turned-views";
 import { match, verdict } from "./verdict";
 
 /** One array, so that it changes nothing. */
 const FRONT = ["front"];
 const DASH = "–";
-const EXAMPLES: Readonly<Partial<Record<Job, string>>> = {
+const EXAMPLES: Readonly<Record<Job, string>> = {
   multiview: "Three pictures in one wire. Make it again to watch how it gets there.",
   stroke: "One wire draws the picture, and goes on round the back. Make it again to watch how it gets there.",
+  fill: "One closed wire covers the whole shape. Make it again to watch how it gets there.",
 };
+
+type Figure = readonly [name: string, value: string];
 
 /** The numbers that matter, the curve, and what they come to in a sentence. */
 @customElement("result-panel")
@@ -26,7 +31,9 @@ export class ResultPanel extends Part {
   @property({ attribute: false }) state!: StudioState;
   @query("match-panels") private panels!: MatchPanels | null;
   @query("turned-views") private turned!: TurnedViews | null;
-  private told: TurnedViews | null = null;
+  @query("covered-views") private covered!: CoveredViews | null;
+  /** Those that know the wire. */
+  private readonly told = new WeakSet<Element>();
   private wire: WireShape | null = null;
 
   static override styles = [
@@ -65,6 +72,9 @@ export class ResultPanel extends Part {
         padding-block: 4px;
         border-block-end: 1px solid var(--line);
       }
+      dl .wide {
+        grid-column: 1 / -1;
+      }
       dt {
         color: var(--quiet);
       }
@@ -77,23 +87,19 @@ export class ResultPanel extends Part {
   ];
 
   override render() {
-    const { views, targets, track, looking, doc } = this.state;
-    const one = doc.job === "stroke";
+    const { track, looking, doc } = this.state;
+    const { job } = doc;
     const made = this.measured();
-    const found = made?.finished.measures.views.map(matchOf) ?? [];
     return html`
-      <h2>Match</h2>
-      <div class=${one ? "beside" : ""}>
-        <match-panels
-          .expected=${one ? FRONT : SLOTS}
-          .views=${one ? views.slice(0, 1) : views}
-          .targets=${targets}
-          .found=${found}
-        ></match-panels>
+      <h2>${job === "fill" ? "Cover" : "Match"}</h2>
+      <div class=${job === "stroke" ? "beside" : ""}>
+        ${job === "fill" ? nothing : this.compared(made)}
         <p class="verdict small">${this.sentence(made)}</p>
       </div>
-      ${one ? html`<turned-views></turned-views>` : nothing}
+      ${job === "stroke" ? html`<turned-views></turned-views>` : nothing}
+      ${job === "fill" ? html`<covered-views .made=${deskOf(doc).made} ?past=${!made}></covered-views>` : nothing}
       <dl>
+        ${job === "fill" ? this.onSurface(made).map(([name, value]) => html`<div class="wide"><dt>${name}</dt><dd>${value}</dd></div>`) : nothing}
         ${this.numbers(made).map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}
       </dl>
       <loss-curve
@@ -115,35 +121,46 @@ export class ResultPanel extends Part {
   recolour(): void {
     this.panels?.recolour();
     this.turned?.recolour?.();
+    this.covered?.recolour?.();
   }
 
-  protected override firstUpdated(): void {
-    this.panels?.setWire(this.wire);
-  }
-
-  /** Pictures from the sides come and go with the job, and their script comes when they are first wanted. */
+  /** Pictures come and go with the job, and the script of some when they are first wanted: they may be gone before it is there. */
   protected override updated(): void {
-    const { turned } = this;
-    if (turned === this.told) return;
-    this.told = turned;
-    if (turned) void customElements.whenDefined("turned-views").then(() => turned.setWire(this.wire));
+    for (const pictures of [this.panels, this.turned]) {
+      if (!pictures || this.told.has(pictures)) continue;
+      this.told.add(pictures);
+      void customElements.whenDefined(pictures.localName).then(() => pictures.setWire?.(this.wire));
+    }
+  }
+
+  private compared(made: Made | null) {
+    const { views, targets, doc } = this.state;
+    const one = doc.job === "stroke";
+    return html`<match-panels
+      .expected=${one ? FRONT : SLOTS}
+      .views=${one ? views.slice(0, 1) : views}
+      .targets=${targets}
+      .found=${made?.finished.measures.views.map(matchOf) ?? []}
+    ></match-panels>`;
   }
 
   /** The wire on the stage, where it is the finished one: only that has been measured. */
   private measured(): Made | null {
-    const { doc, running, looking } = this.state;
-    return running !== doc.job && looking === null ? deskOf(doc).made : null;
+    const { doc, running, looking, planned } = this.state;
+    return running !== doc.job && looking === null && !planned ? deskOf(doc).made : null;
   }
 
   private sentence(made: Made | null): string {
-    const { notes, looking, running, doc } = this.state;
+    const { notes, looking, running, doc, planned } = this.state;
     if (looking !== null) return "Looking back: numbers are for the finished wire.";
     if (running === doc.job) return notes.join(" ");
+    if (planned) return deskOf(doc).made ? "The lines would run another way now: cover it to make that wire. The one made before is kept until then." : "The thin line on the stage is the way of the wire. Cover it, and it thickens and bends into the style.";
     if (!made) return "";
-    return made.source === "example" ? (EXAMPLES[doc.job] ?? "") : verdict(made);
+    if (made.source === "example") return EXAMPLES[doc.job];
+    return doc.job === "fill" ? covered(made) : verdict(made);
   }
 
-  private numbers(made: Made | null): readonly (readonly [name: string, value: string])[] {
+  private numbers(made: Made | null): readonly Figure[] {
     const measures = made?.finished.measures;
     const points = measures?.control_points ?? (this.wire ? this.wire.controlPoints.length / 4 : 0);
     return [
@@ -151,6 +168,15 @@ export class ResultPanel extends Part {
       ["Length", measures ? measures.length.toFixed(1) : DASH],
       ["Control points", points ? count(points) : DASH],
       ["Time", made?.seconds ? `${made.seconds.toFixed(1)} s` : DASH],
+    ];
+  }
+
+  /** Shares of the shape's size. */
+  private onSurface(made: Made | null): readonly Figure[] {
+    const surface = made?.finished.measures.surface;
+    return [
+      ["99 of 100 spots are nearer than", surface ? worldLength(surface.p99 * surface.spacing) : DASH],
+      ["Off the surface, on average", surface ? worldLength(surface.drift_mean) : DASH],
     ];
   }
 }

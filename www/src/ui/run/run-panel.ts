@@ -7,7 +7,7 @@ import { Part } from "../../view/part";
 import { JOB_WORDS } from "../app/job-tabs";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
-import { controls } from "../shared/shared";
+import { barStyle, controls } from "../shared/shared";
 
 /** Run and what goes with it, and what is going on in words. Fires `draw`, `choose-picture` or `choose-mesh` when a person wants to. */
 @customElement("run-panel")
@@ -17,6 +17,7 @@ export class RunPanel extends Part {
 
   static override styles = [
     controls,
+    barStyle,
     css`
       :host {
         display: block;
@@ -48,22 +49,7 @@ export class RunPanel extends Part {
         font-weight: 600;
       }
       .bar {
-        height: 4px;
         margin-block-start: 16px;
-        overflow: hidden;
-        border-radius: 2px;
-        background: var(--line);
-      }
-      .bar i {
-        display: block;
-        height: 100%;
-        background: var(--copper);
-        transform: scaleX(var(--share, 0));
-        transform-origin: left;
-        transition: transform 150ms linear;
-      }
-      :host(:dir(rtl)) .bar i {
-        transform-origin: right;
       }
       /* Three lines are kept free, so that nothing below moves when a run starts. */
       p {
@@ -91,15 +77,6 @@ export class RunPanel extends Part {
       }
       .steps {
         flex: 1;
-      }
-      @media (forced-colors: active) {
-        .bar {
-          border: 1px solid CanvasText;
-        }
-        .bar i {
-          forced-color-adjust: none;
-          background: Highlight;
-        }
       }
       /* A strip between stage and sheet: one row of buttons, two lines of words. */
       @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
@@ -170,10 +147,11 @@ export class RunPanel extends Part {
   }
 
   private idle(): TemplateResult {
+    const { doc, planned, restyled } = this.state;
+    const { job } = doc;
     const example = showsExample(this.state);
-    const { job } = this.state.doc;
     return html`
-      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example && !this.state.planned ? "Make it again" : job === "fill" ? "Cover it" : "Run"}</button>
+      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example && !planned && !restyled ? "Make it again" : job === "fill" ? "Cover it" : "Run"}</button>
       ${job === "fill"
         ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-mesh"))}>${icons.open} Open a mesh</button>`
         : job === "stroke"

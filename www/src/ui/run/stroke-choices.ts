@@ -3,6 +3,7 @@ import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
+import { choiceStyle } from "../shared/choice";
 import { segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
 import "../shared/two-ended";
@@ -24,23 +25,14 @@ export class StrokeChoices extends Part {
   static override styles = [
     controls,
     segmentedStyle,
+    choiceStyle,
     css`
       :host {
         display: grid;
         gap: 16px;
       }
-      .choice {
-        display: grid;
-        min-width: 0;
-      }
       .head {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        gap: 8px;
         min-height: 24px;
-        font-size: 13px;
-        color: var(--quiet);
       }
       label {
         display: flex;
@@ -57,21 +49,6 @@ export class StrokeChoices extends Part {
         width: 18px;
         height: 18px;
         margin: 0;
-      }
-      input[type="range"] {
-        width: 100%;
-      }
-      .ends {
-        display: flex;
-        justify-content: space-between;
-        gap: 8px;
-        font-size: 13px;
-        line-height: 18px;
-        color: var(--quiet);
-      }
-      .ends b {
-        font-weight: 600;
-        color: var(--ink);
       }
       @media (pointer: coarse) {
         .head {

@@ -22,12 +22,16 @@ export class TimeLine extends Part {
     controls,
     css`
       :host {
+        display: block;
+        container-type: inline-size;
+        padding: 8px 16px;
+      }
+      .all {
         display: grid;
         grid-template: auto 24px / auto minmax(0, 1fr) auto;
         gap: 0 12px;
         align-items: center;
-        min-height: 72px;
-        padding: 8px 16px;
+        min-height: 56px;
       }
       .play {
         grid-row: 1 / 3;
@@ -92,14 +96,18 @@ export class TimeLine extends Part {
         margin: 0;
         text-align: center;
       }
-      @media (max-width: 1279px) {
-        :host {
-          grid-template: 24px auto 40px / auto minmax(0, 1fr);
+      /* No room beside it: two halves below it. */
+      @container (max-width: 499px) {
+        .all {
+          grid-template: 20px 24px 52px / auto minmax(0, 1fr);
         }
         .acts {
           grid-row: 3;
           grid-column: 1 / -1;
-          justify-content: flex-end;
+          align-self: end;
+        }
+        .acts button {
+          flex: 1;
         }
         .hint {
           grid-row: 1 / 4;
@@ -124,12 +132,12 @@ export class TimeLine extends Part {
     const elsewhere = running !== null && running !== doc.job;
     const snapshots = track?.snapshots ?? [];
     if (!track || snapshots.length < 2) {
-      return html`<p class="hint small quiet">When a run is on, its way here shows: go back to any wire, and on from there.</p>`;
+      return html`<div class="all"><p class="hint small quiet">When a run is on, its way here shows: go back to any wire, and on from there.</p></div>`;
     }
     const at = looking ?? snapshots.length - 1;
     const { iteration } = snapshots[at]!;
     const words = `Step ${count(iteration)} of ${count(track.iterations)}`;
-    return html`
+    return html`<div class="all">
       <button
         class="play square"
         aria-label=${this.playing ? "Stop watching" : "Watch it form"}
@@ -159,7 +167,7 @@ export class TimeLine extends Part {
         <button ?disabled=${looking === null || elsewhere} @click=${() => looking !== null && void this.studio.continueFrom(looking)}>Go on from here</button>
         <button ?disabled=${looking === null} @click=${() => this.studio.lookAt(null)}>${icons.newest} Newest</button>
       </div>
-    `;
+    </div>`;
   }
 
   protected override updated(): void {

@@ -1,17 +1,13 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { WireShape } from "../../embed/shape";
-import { viewFrom, type Heading } from "../../view/heading";
+import { viewFrom } from "../../view/heading";
 import { Part } from "../../view/part";
-import { SMALL_PX, SmallPictures, type SmallPicture } from "../../view/small-pictures";
-import { smallStyle } from "../../view/small-style";
+import { SmallPictures, type SmallPicture } from "../../view/small-pictures";
+import { outlooks, outlookStyle, type Outlook } from "../shared/outlooks";
 import { controls } from "../shared/shared";
 
-interface Turned extends Heading {
-  readonly words: string;
-}
-
-const TURNED: readonly Turned[] = [
+const TURNED: readonly Outlook[] = [
   { azimuth: 35, elevation: 0, words: "35° right" },
   { azimuth: 90, elevation: 0, words: "side" },
   { azimuth: 180, elevation: 0, words: "back" },
@@ -21,51 +17,18 @@ const TURNED: readonly Turned[] = [
 ];
 const VIEWS = TURNED.map((turned) => viewFrom(turned, turned.words));
 
-/** The wire from where no picture was given, as it forms. Fires `look-from` with the heading that a person wants to see it from. */
+/** The wire from where no picture was given, as it forms. Fires `look-from`. */
 @customElement("turned-views")
 export class TurnedViews extends Part {
   private readonly pictures = new SmallPictures(() => this.shown());
 
   static override styles = [
     controls,
-    smallStyle,
+    outlookStyle,
     css`
       :host {
         display: grid;
         gap: 8px;
-      }
-      ul {
-        display: grid;
-        grid-template-columns: repeat(3, minmax(0, 1fr));
-        gap: 8px;
-        margin: 0;
-        padding: 0;
-        list-style: none;
-      }
-      button {
-        display: block;
-        width: 100%;
-        min-height: 0;
-        padding: 0 0 4px;
-        border: 1px solid var(--line);
-        overflow: hidden;
-        font-size: 13px;
-        line-height: 18px;
-        color: var(--quiet);
-      }
-      button:hover {
-        color: var(--ink);
-      }
-      canvas {
-        border: 0;
-        border-radius: 0;
-        background: none;
-      }
-      .words {
-        display: block;
-      }
-      .words::first-letter {
-        text-transform: capitalize;
       }
     `,
   ];
@@ -73,16 +36,7 @@ export class TurnedViews extends Part {
   override render() {
     return html`
       <h2>As it turns</h2>
-      <ul>
-        ${TURNED.map(
-          (turned) => html`<li>
-            <button title="Look from there" @click=${() => this.look(turned)}>
-              <canvas width=${SMALL_PX} height=${SMALL_PX} aria-hidden="true"></canvas>
-              <span class="words"><span class="unseen">Look at it: </span>${turned.words}</span>
-            </button>
-          </li>`,
-        )}
-      </ul>
+      ${outlooks(TURNED)}
     `;
   }
 
@@ -105,9 +59,5 @@ export class TurnedViews extends Part {
 
   private shown(): readonly SmallPicture[] {
     return [...this.renderRoot.querySelectorAll("canvas")].map((canvas, i) => ({ canvas, view: VIEWS[i]! }));
-  }
-
-  private look({ azimuth, elevation }: Heading): void {
-    this.dispatchEvent(new CustomEvent<Heading>("look-from", { detail: { azimuth, elevation }, bubbles: true, composed: true }));
   }
 }

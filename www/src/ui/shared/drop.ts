@@ -1,6 +1,14 @@
-/** One picture dropped onto a pad; all else is for the page to see to. */
+/** Files that a pad is given: chosen, or one picture dropped onto it; all else is for the page to see to. */
 
 import { css } from "lit";
+
+/** The file that was chosen, if any; the same one may be chosen again. */
+export function chosenFile(event: Event): File | undefined {
+  const input = event.target as HTMLInputElement;
+  const file = input.files?.[0];
+  input.value = "";
+  return file;
+}
 
 /** Whether something that can be dropped is held over a part that takes it; says so to the browser. */
 export function isDropOver(event: DragEvent): boolean {

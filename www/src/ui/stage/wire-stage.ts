@@ -237,6 +237,11 @@ export class WireStage extends Part {
           display: none;
         }
       }
+      @container (max-width: 400px) {
+        .more .group button.square {
+          width: 38px;
+        }
+      }
       @media (forced-colors: active) {
         .group button[aria-pressed="true"] {
           forced-color-adjust: none;

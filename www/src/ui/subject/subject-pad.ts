@@ -6,7 +6,7 @@ import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
-import { droppedPicture, isDropOver, problemOver } from "../shared/drop";
+import { chosenFile, droppedPicture, isDropOver, problemOver } from "../shared/drop";
 import { controls } from "../shared/shared";
 import { padStyle } from "./pad-style";
 import { tell } from "./subject-events";
@@ -200,10 +200,8 @@ export class SubjectPad extends Part {
   }
 
   private chosen(event: Event, kind: "give" | "give-depth"): void {
-    const input = event.target as HTMLInputElement;
-    const file = input.files?.[0];
+    const file = chosenFile(event);
     if (file) this.give(file, kind);
-    input.value = "";
   }
 
   private paste(event: ClipboardEvent): void {

@@ -3,7 +3,6 @@
 import type { Made } from "../../state/keeping/document";
 import { percent } from "../../state/words";
 
-export const DASH = "–";
 /** Off the surface by more than this, and what is in front and what is behind begins to blur, world units. */
 const SEEN_WORLD = 0.05;
 /** A line nearer than half of their distance to its neighbour, for more than this share of the wire. */
@@ -18,14 +17,10 @@ export function covered(made: Made): string {
   const { measures } = made.finished;
   const { surface } = measures;
   const apart = measures.components > 1 ? `The wire is in ${measures.components} pieces.` : "";
-  if (!surface) {
-    if (made.source === "example") return "One closed wire covers the whole shape. Make it again to watch how it gets there.";
-    return apart || "One closed wire. Its shape is not with it, so there is nothing to measure it by.";
-  }
+  if (!surface) return apart || "One closed wire. Its shape is not with it, so there is nothing to measure it by.";
   const worst = worldLength(surface.worst * surface.spacing);
   const sentences = [
-    `Every spot is within ${worst} of the shape’s size of the wire${apart ? "" : ", which is one closed loop"}.`,
-    apart,
+    `${apart || "The wire is one closed loop."} No spot is farther from it than ${worst} of the shape’s size.`,
     surface.drift_max > SEEN_WORLD ? `It leaves the surface by up to ${worldLength(surface.drift_max)}: less style, or a stronger pull to the surface, keeps it there.` : "",
     surface.crowded > CROWDED ? `Along ${percent(surface.crowded)} of it, ${styled(made) ? "the style draws lines close together" : "lines come close to each other"}.` : "",
     made.stopped ? "It was stopped early: going on may still help." : "",

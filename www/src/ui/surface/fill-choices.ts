@@ -1,10 +1,11 @@
-import { css, html, nothing } from "lit";
+import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
 import { Part } from "../../view/part";
 import { WORDS } from "../settings/setting-words";
-import { controls } from "../shared/shared";
+import { choiceStyle } from "../shared/choice";
+import { barStyle, controls } from "../shared/shared";
 
 interface Slider {
   readonly name: string;
@@ -25,7 +26,7 @@ const SPACING: Slider = {
   words: (value) => `${(50 * value).toFixed(1)}% of its size`,
 };
 const DENSITY: Slider = { name: "density", label: "Density", range: [0.1, 1, 0.05], ends: ["Light", "Dark"], words: (value) => `${percent(value)} wire` };
-const STYLE: Slider = { name: "style_strength", label: "Style", range: [0, 1, 0.05], ends: ["A hint", "All of it"], words: percent };
+const STYLE: Slider = { name: "style_strength", label: "Style", range: [0, 1, 0.05], ends: ["Not at all", "All of it"], words: percent };
 
 /** What matters most where a wire covers a shape: how close its lines lie, how dark they are, and how far the style bends them. */
 @customElement("fill-choices")
@@ -35,6 +36,8 @@ export class FillChoices extends Part {
 
   static override styles = [
     controls,
+    choiceStyle,
+    barStyle,
     css`
       :host {
         display: block;
@@ -46,35 +49,7 @@ export class FillChoices extends Part {
         grid-template-columns: minmax(0, 1fr);
         gap: 12px;
       }
-      .choice {
-        display: grid;
-        min-width: 0;
-      }
-      .head {
-        display: flex;
-        align-items: baseline;
-        justify-content: space-between;
-        gap: 8px;
-        font-size: 13px;
-        line-height: 18px;
-        color: var(--quiet);
-      }
-      .head b {
-        font-weight: 600;
-        color: var(--ink);
-      }
       .off b {
-        color: var(--quiet);
-      }
-      input {
-        width: 100%;
-      }
-      .ends {
-        display: flex;
-        justify-content: space-between;
-        gap: 8px;
-        font-size: 13px;
-        line-height: 18px;
         color: var(--quiet);
       }
       .run {
@@ -100,29 +75,8 @@ export class FillChoices extends Part {
         gap: 4px;
         min-height: 24px;
       }
-      .bar {
-        height: 3px;
-        overflow: hidden;
-        border-radius: 2px;
-      }
-      .busy .bar {
-        background: var(--line);
-      }
-      .bar i {
-        display: block;
-        height: 100%;
-        background: var(--copper);
-        transform: scaleX(var(--share, 0));
-        transform-origin: left;
-      }
-      :host(:dir(rtl)) .bar i {
-        transform-origin: right;
-      }
-      @media (forced-colors: active) {
-        .bar i {
-          forced-color-adjust: none;
-          background: Highlight;
-        }
+      .laying:not(.busy) .bar {
+        visibility: hidden;
       }
       /* A phone: side by side. */
       @container (min-width: 300px) {
@@ -135,8 +89,12 @@ export class FillChoices extends Part {
         }
         .run {
           display: grid;
+          grid-template-columns: minmax(0, 1fr);
           align-content: start;
           gap: 4px;
+        }
+        select {
+          width: 100%;
         }
       }
     `,
@@ -150,7 +108,7 @@ export class FillChoices extends Part {
       ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "needs a style")}
       <label class="run">Lines run ${this.flow(styled)}</label>
       <div class=${busy ? "laying busy" : "laying"}>
-        <div class="bar">${busy ? html`<i></i>` : nothing}</div>
+        <div class="bar"><i></i></div>
         <span class="small quiet" role="status">${busy ? "Laying the lines…" : this.words()}</span>
       </div>
     </div>`;
@@ -161,9 +119,10 @@ export class FillChoices extends Part {
   }
 
   private words(): string {
-    const { planned, curve, doc, phase } = this.state;
-    if (!planned || !curve || phase !== "idle") return "";
-    return doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
+    const { planned, restyled, curve, doc, phase } = this.state;
+    if (phase !== "idle") return "";
+    if (planned) return !curve ? "" : doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
+    return restyled ? "Cover it again to see that." : "";
   }
 
   /** `why` it cannot be set, or empty. */

@@ -5,6 +5,7 @@ import type { Studio, StudioState } from "../../state/studio";
 import { asSentence } from "../../state/words";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
+import { chosenFile } from "../shared/drop";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 import { shapeIcon } from "./shape-icons";
@@ -26,15 +27,6 @@ export class ShapePad extends Part {
     controls,
     tilesStyle,
     css`
-      :host {
-        display: block;
-        container-type: inline-size;
-        min-width: 0;
-      }
-      h2 {
-        min-height: 28px;
-        color: var(--ink);
-      }
       svg {
         width: 50px;
         height: 50px;
@@ -73,6 +65,11 @@ export class ShapePad extends Part {
       }
       :host {
         --clay: color-mix(in srgb, var(--line) 75%, var(--line-strong));
+      }
+      @media (forced-colors: active) {
+        :host {
+          --clay: color-mix(in srgb, CanvasText 25%, Canvas);
+        }
       }
       .line {
         min-height: 37px;
@@ -162,9 +159,7 @@ export class ShapePad extends Part {
   }
 
   private readonly chosen = (event: Event): void => {
-    const input = event.target as HTMLInputElement;
-    const file = input.files?.[0];
+    const file = chosenFile(event);
     if (file) void this.studio.dressing.open(file, file.name || "the mesh");
-    input.value = "";
   };
 }

@@ -24,6 +24,7 @@ export class StrandHistogram extends Part {
         width: 100%;
         max-height: 72px;
         overflow: visible;
+        opacity: var(--vivid, 1);
       }
       rect {
         fill: var(--copper);

@@ -5,6 +5,7 @@ import type { Studio, StudioState } from "../../state/studio";
 import { pageColours } from "../../view/colours";
 import { paintInk } from "../../view/paint";
 import { Part } from "../../view/part";
+import { chosenFile } from "../shared/drop";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 import { tiles, tilesStyle } from "./tiles";
@@ -29,15 +30,6 @@ export class StyleShelf extends Part {
     controls,
     tilesStyle,
     css`
-      :host {
-        display: block;
-        container-type: inline-size;
-        min-width: 0;
-      }
-      h2 {
-        min-height: 28px;
-        color: var(--ink);
-      }
       canvas {
         width: 100%;
         height: 100%;
@@ -47,6 +39,7 @@ export class StyleShelf extends Part {
         width: 100%;
         height: 100%;
         background: repeating-linear-gradient(transparent 0 5px, var(--line-strong) 5px 6.5px);
+        forced-color-adjust: none;
       }
       #own {
         grid-column: 1 / -1;
@@ -66,6 +59,7 @@ export class StyleShelf extends Part {
       }
       #own .words {
         flex: 1;
+        margin: 0;
         text-align: start;
       }
       @media (pointer: coarse) {
@@ -122,9 +116,7 @@ export class StyleShelf extends Part {
   }
 
   private readonly chosen = (event: Event): void => {
-    const input = event.target as HTMLInputElement;
-    const file = input.files?.[0];
+    const file = chosenFile(event);
     if (file) void this.studio.dressing.picture(file, file.name || "the picture");
-    input.value = "";
   };
 }

@@ -1,4 +1,4 @@
-/** Small pictures to choose one of: radio buttons underneath, so that keys and screen readers know what they are. */
+/** A shelf of small pictures to choose one of: radio buttons underneath, so that keys and screen readers know what they are. */
 
 import { css, html, type TemplateResult } from "lit";
 
@@ -18,6 +18,15 @@ export function tiles(name: string, options: readonly Tile[], chosen: string | n
 }
 
 export const tilesStyle = css`
+  :host {
+    display: block;
+    container-type: inline-size;
+    min-width: 0;
+  }
+  h2 {
+    min-height: 28px;
+    color: var(--ink);
+  }
   .tiles {
     display: grid;
     grid-template-columns: repeat(3, minmax(0, 1fr));
@@ -66,6 +75,7 @@ export const tilesStyle = css`
   }
   .words {
     display: block;
+    margin-block-start: 2px;
     overflow: hidden;
     text-overflow: ellipsis;
     white-space: nowrap;
