@@ -6,6 +6,7 @@ mod optimize_common;
 
 use gpu_common::{device, distance, enclosed, points, scene, step, views};
 use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
+use std::f64::consts::PI;
 use wire4d::Error;
 use wire4d::gpu::{Absence, Device, FaultKind, GpuEngine, Kind, SELF_CHECK_BARS, parities, self_check};
 use wire4d::objective::Pyramid;
@@ -28,6 +29,11 @@ fn evaluate_loaded(engine: &mut dyn Engine, wire: &Wire, views: usize, step: &St
     let (mut terms, mut d_points) = (vec![0.0; term_count(views)], Vec::new());
     wait(engine.evaluate(&points(wire), step, &mut terms, &mut d_points).done());
     (terms, d_points)
+}
+
+/// How far two evaluations are apart: terms, gradients.
+fn apart(a: &(Vec<f32>, Vec<[f32; 4]>), b: &(Vec<f32>, Vec<[f32; 4]>)) -> (f64, f64) {
+    (distance(&a.0, &b.0), distance(a.1.as_flattened(), b.1.as_flattened()))
 }
 
 fn moved(wire: &Wire, change: impl Fn(usize, [f64; 4]) -> [f64; 4]) -> Wire {
@@ -104,9 +110,6 @@ fn wires_round_solids_agree_before_and_after_views_and_planes_change() {
         found
     });
     let [cpu, gpu] = &results;
-    let apart = |a: &(Vec<f32>, Vec<[f32; 4]>), b: &(Vec<f32>, Vec<[f32; 4]>)| {
-        (distance(&a.0, &b.0), distance(a.1.as_flattened(), b.1.as_flattened()))
-    };
     for (gpu, cpu) in gpu.iter().zip(cpu) {
         let (loss, gradient) = apart(gpu, cpu);
         eprintln!("round solids: loss {loss:.1e}, gradient {gradient:.1e}");
@@ -124,6 +127,32 @@ fn wires_round_solids_agree_before_and_after_views_and_planes_change() {
             "{i} passes for {j}: loss {loss:.1e}, gradient {gradient:.1e}"
         );
     }
+}
+
+#[test]
+fn a_wire_as_long_as_a_filling_agrees() {
+    let Some(device) = device() else { return };
+    // A spiral over a ball, 60 times round, that swells and thins.
+    let points = (0..4000).map(|i| {
+        let t = (f64::from(i) + 0.5) / 4000.0;
+        let (ring, height) = ((PI * t).sin(), (PI * t).cos());
+        let (sin, cos) = (120.0 * PI * t).sin_cos();
+        [0.9 * ring * cos, 0.9 * height, 0.9 * ring * sin, 0.012 + 0.006 * (300.0 * t).sin()]
+    });
+    let wire = Wire::open_uniform(points.collect()).unwrap();
+    let scene = enclosed(scene(&wire, &views(128), 4, Pyramid::AveragePool, 3), 2);
+    let engines: [&mut dyn Engine; 2] = [&mut CpuEngine::new(), &mut GpuEngine::new(&device, "")];
+    let [cpu, gpu] = engines.map(|engine| {
+        wait(engine.load(scene.clone()).done());
+        let found = [step(), Step { level_ratio: 0.71, ..step() }].map(|step| evaluate_loaded(engine, &wire, 3, &step));
+        assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
+        found
+    });
+    let (loss, gradient) = apart(&gpu[0], &cpu[0]);
+    eprintln!("a long wire: loss {loss:.1e}, gradient {gradient:.1e}");
+    assert!(loss <= LOSS && gradient <= GRADIENT, "loss {loss:.1e}, gradient {gradient:.1e}");
+    let (loss, gradient) = apart(&gpu[1], &cpu[0]);
+    assert!(loss > LOSS && gradient > GRADIENT, "another level weight passes");
 }
 
 fn problem() -> Problem {

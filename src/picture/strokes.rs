@@ -1,4 +1,4 @@
-//! What a picture is where it is read as ink: yes or no, how wide its strokes are, hair lines thickened.
+//! What a picture is where it is read as ink: yes or no, and its hair lines thickened.
 
 use super::Mask;
 use crate::view::Image;
@@ -10,10 +10,6 @@ const TRACE_LEVEL: f32 = 0.35;
 pub trait Ink {
     /// Where there is more than `level`.
     fn threshold(&self, level: f32) -> Mask;
-
-    /// Median width of the strokes in pixels, along their skeleton; 0 without ink. Solid areas count by their skeleton
-    /// too, which is short for their area. Good to half a pixel.
-    fn median_stroke_width_px(&self) -> f32;
 
     /// The drawing with strokes thinner than `min_width_px` redrawn that wide, antialiased; wider ones, solid areas and
     /// their corners stay as they are.
@@ -27,24 +23,6 @@ impl Ink for Image {
     fn threshold(&self, level: f32) -> Mask {
         let data = self.data.iter().map(|&value| value > level).collect();
         Mask { width: self.width, height: self.height, data }
-    }
-
-    fn median_stroke_width_px(&self) -> f32 {
-        // Twice the resolution, so that the half pixel between ink and ground centres shrinks to a quarter.
-        let fine = self.window([0.0, 0.0, self.width as f64, self.height as f64], 2 * self.width, 2 * self.height);
-        let ink = fine.threshold(0.5);
-        let to_ground = ink.inverted().distance_px();
-        let skeleton = ink.thin();
-        // A line of 2 m fine pixels has m to its nearest ground, one of 2 m + 1 has m + 1: in pixels, m or m + 1/2 wide.
-        let each = skeleton.data.iter().zip(&to_ground.data).filter(|(on, _)| **on);
-        let mut widths: Vec<f32> = each.map(|(_, distance)| distance - 0.25).collect();
-        if widths.is_empty() {
-            return 0.0;
-        }
-        let middle = widths.len() / 2;
-        let width = *widths.select_nth_unstable_by(middle, f32::total_cmp).1;
-        // All ink and no ground: as wide as the picture.
-        width.min(self.width.max(self.height) as f32)
     }
 
     fn with_min_stroke(&self, min_width_px: f32) -> Image {
@@ -97,14 +75,6 @@ fn add_disc(image: &mut Image, [x_px, y_px]: [f32; 2], radius_px: f32) {
     }
 }
 
-impl Mask {
-    /// Ink grown by discs of `radius_px`: every pixel at most that far from ink, centre to centre.
-    pub fn dilated(&self, radius_px: f32) -> Mask {
-        let data = self.distance_px().data.iter().map(|&distance| distance <= radius_px).collect();
-        Mask { width: self.width, height: self.height, data }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,19 +105,6 @@ mod tests {
 
     fn ink(image: &Image) -> f32 {
         image.data.iter().sum()
-    }
-
-    #[test]
-    fn widths_are_measured() {
-        for width in [2.0, 3.0, 4.5, 7.0, 12.0] {
-            for to in [[70.0, 20.0], [60.0, 55.0], [66.0, 36.3]] {
-                let measured = line([10.3, 20.4], to, width).median_stroke_width_px();
-                assert!((measured - width).abs() <= 0.6, "{width} to {to:?}: {measured}");
-            }
-        }
-        assert_eq!(Image::new(9, 9).median_stroke_width_px(), 0.0);
-        let full = Image { data: vec![1.0; 81], ..Image::new(9, 9) };
-        assert!(full.median_stroke_width_px().is_finite());
     }
 
     #[test]
@@ -185,13 +142,5 @@ mod tests {
         assert_eq!(drawn.at(50, 45), wide.at(50, 45));
         assert_eq!(Image::new(8, 8).with_min_stroke(5.0), Image::new(8, 8));
         assert_eq!(wide.with_min_stroke(0.0), wide);
-    }
-
-    #[test]
-    fn growing_reaches_as_far_as_asked() {
-        let mut dot = Mask::new(21, 21);
-        dot.data[10 * 21 + 10] = true;
-        let disc = dot.dilated(5.0);
-        assert!(disc.at(15, 10) && disc.at(13, 14) && !disc.at(14, 14) && !disc.at(16, 10));
     }
 }
