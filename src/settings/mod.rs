@@ -367,7 +367,7 @@ settings! {
     Stroke /// Weight of all those sides together; the front's is 1.
     side_weight: f64 = 0.4, "times", Number { min: 0.0, max: 16.0 };
 
-    Surface /// From line to line on the surface; the mesh fits a ball of radius 1.
+    Surface /// From line to line on the surface; the shape fits a ball of radius 1 world unit.
     curve_spacing: f64 = 0.06, "world units", Number { min: 0.02, max: 0.2 };
     Surface /// Which way the lines run: smooth, along the upright, across it, or along the style's strokes.
     flow: Flow = Flow::Style, "", Choice { choices: Flow::WORDS };
@@ -375,7 +375,7 @@ settings! {
     density: f64 = 0.5, "of 1", Number { min: 0.1, max: 1.0 };
     Surface /// How strongly the style bends and thickens the wire: 0 not at all.
     style_strength: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 };
-    Surface /// Side of the style's picture on the surface.
+    Surface /// Side of the style's picture on the surface, which fits a ball of radius 1 world unit.
     style_size: f64 = 1.2, "world units", Number { min: 0.1, max: 4.0 };
     Surface /// How the style's picture is laid on the surface: box from six sides, front once; off only asks for its texture.
     motif: Motif = Motif::Box, "", Choice { choices: Motif::WORDS };
