@@ -1,8 +1,9 @@
 //! `cargo xtask fills`: covers built-in shapes in built-in styles, draws contact sheets and prints a table of figures.
 
 use crate::Result;
+use crate::picture::save_lines;
 use crate::shell::{command, root, run as run_command, say};
-use image::{GrayImage, Luma, RgbImage, imageops};
+use image::{GrayImage, Luma, imageops};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -94,7 +95,7 @@ fn draw(sheet: &str, columns: u32, cells: &[Cell], extra: &[String]) -> Result {
     let name = format!("fill-{sheet}.png");
     let path =
         if extra.is_empty() { root().join("docs/gallery").join(&name) } else { root().join("out/fills").join(&name) };
-    RgbImage::from(image::DynamicImage::ImageLuma8(picture).to_rgb8()).save(&path)?;
+    save_lines(picture, &path)?;
     say(format!("the sheet is {}", path.display()));
     Ok(())
 }

@@ -7,6 +7,7 @@ mod figures;
 mod fills;
 mod gallery;
 mod page;
+mod picture;
 mod serve;
 mod setup;
 mod shell;

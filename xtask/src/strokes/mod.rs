@@ -3,9 +3,8 @@
 mod pictures;
 mod sheet;
 
-use crate::Result;
 use crate::shell::{root, say};
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use crate::{Result, picture};
 
 /// For the list of verbs.
 pub const HELP: &str = "`pictures` draws tests/strokes; `sheet` runs every one and draws docs/gallery/strokes.png";
@@ -17,10 +16,7 @@ pub fn run(arguments: &[String]) -> Result {
             let folder = root().join("tests/strokes");
             for (name, formula) in pictures::PICTURES {
                 let path = folder.join(format!("{name}.png"));
-                let file = std::fs::File::create(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-                let encoder = PngEncoder::new_with_quality(file, CompressionType::Best, FilterType::Adaptive);
-                let picture = pictures::drawn(formula);
-                picture.write_with_encoder(encoder).map_err(|error| format!("{}: {error}", path.display()))?;
+                picture::save(&pictures::drawn(formula).into(), &path)?;
             }
             say(format!("{} pictures are in tests/strokes", pictures::PICTURES.len()));
             Ok(())
