@@ -280,6 +280,9 @@ fn a_mesh_is_covered_with_everything_beside_it() {
         assert_ne!(wire("box"), wire(name), "{name}");
     }
     succeeds(&fill("torus", "torus", &[]));
+    // A flag that takes one word only is no choice, and not offered.
+    let help = succeeds(&wire4d(&["fill", "--help"]));
+    assert!(help.contains("--flow <smooth|along") && !help.contains("--bend"), "{help}");
     refused(&fill("teapot", "bad", &[]), "give a mesh or sphere, torus, knot, vase, creature");
     refused(&fill("torus", "bad", &["--style", "plaid"]), "petals");
     refused(&fill("torus", "bad", &["--style", text(&at("nowhere.png"))]), "nowhere.png");

@@ -590,6 +590,11 @@ impl Settings {
 }
 
 impl Kind {
+    /// Whether there is more than one value to choose from: what leaves no choice is not shown to people.
+    pub fn leaves_choice(&self) -> bool {
+        !matches!(self, Choice { choices: [_] })
+    }
+
     fn parse(&self, text: &str) -> Option<Value> {
         match *self {
             Kind::Integer { min, max } => {

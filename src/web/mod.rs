@@ -8,7 +8,7 @@ mod run;
 mod subject;
 mod surface;
 
-use crate::settings::{Kind, Preset, Setting, Settings, Task};
+use crate::settings::{Preset, Settings, Task};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -25,9 +25,7 @@ pub fn settings_table(task: &str) -> Result<String, JsError> {
     let task = task_of(task)?;
     let mut presets = BTreeMap::new();
     presets.extend(Preset::ALL.iter().zip(Preset::WORDS).map(|(&preset, word)| (word, task.preset(preset).to_texts())));
-    // What leaves no choice is no setting for people.
-    let open = |row: &Setting| !matches!(row.kind, Kind::Choice { choices: [_] });
-    let rows: Vec<_> = task.rows().filter(open).collect();
+    let rows: Vec<_> = task.rows().filter(|row| row.kind.leaves_choice()).collect();
     Ok(json(&serde_json::json!({ "rows": rows, "presets": presets })))
 }
 

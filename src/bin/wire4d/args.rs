@@ -185,6 +185,7 @@ fn with_settings(command: Command, task: Task) -> Command {
                 .long(flag)
                 .value_name(word)
                 .allow_hyphen_values(true)
+                .hide(!row.kind.leaves_choice())
                 .help(format!("{}{unit} [default: {default}]", row.help)),
         )
     });
