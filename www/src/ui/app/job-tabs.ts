@@ -13,7 +13,7 @@ const TITLES: Readonly<Record<Job, string>> = {
 
 /** `running` is the job that a run is under way for. */
 export function jobTabs(chosen: Job, running: Job | null, choose: (job: Job) => void): TemplateResult {
-  return html`<div class="jobs" role="tablist" aria-label="What to make" data-keys @keydown=${(event: KeyboardEvent) => walkTabs(event, JOBS, chosen, choose)}>
+  return html`<div class="jobs" role="tablist" aria-label="What to make" data-keys @keydown=${(event: KeyboardEvent) => walkTabs(event, JOBS, choose)}>
     ${JOBS.map(
       (job) => html`<button
         id="tab-${job}"

@@ -18,7 +18,7 @@ const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
 const GIVEN: Readonly<Record<Job, string>> = { multiview: "Pictures", stroke: "Picture", fill: "Shape" };
 
 export function tabs(chosen: Tab, job: Job, choose: (tab: Tab) => void): TemplateResult {
-  const press = (event: KeyboardEvent): void => walkTabs(event, TABS, chosen, choose);
+  const press = (event: KeyboardEvent): void => walkTabs(event, TABS, choose);
   return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
     ${TABS.map(
       (tab) => html`<button

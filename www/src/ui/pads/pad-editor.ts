@@ -16,6 +16,7 @@ import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
 import { segmented, segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
+import { walkTabs } from "../shared/tablist";
 
 const TABS: readonly { readonly tab: EditorTab; readonly words: string; readonly icon: TemplateResult }[] = [
   { tab: "draw", words: "Draw", icon: icons.pencil },
@@ -323,15 +324,7 @@ export class PadEditor extends LitElement {
   }
 
   private tabKey(event: KeyboardEvent): void {
-    const right = getComputedStyle(this).direction === "rtl" ? "ArrowLeft" : "ArrowRight";
-    const at = TABS.findIndex(({ tab }) => tab === this.shownTab);
-    const next = { Home: 0, End: TABS.length - 1 }[event.key] ?? (/^Arrow(Left|Right)$/.test(event.key) ? at + (event.key === right ? 1 : -1) : null);
-    if (next === null) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const { tab } = TABS.at(next % TABS.length)!;
-    this.turnTo(tab);
-    this.renderRoot.querySelector<HTMLElement>(`#tab-${tab}`)!.focus();
+    walkTabs(event, TABS.map(({ tab }) => tab), (tab) => this.turnTo(tab));
   }
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
