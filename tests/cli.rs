@@ -280,6 +280,22 @@ fn a_mesh_is_covered_with_everything_beside_it() {
         assert_ne!(wire("box"), wire(name), "{name}");
     }
     succeeds(&fill("torus", "torus", &[]));
+    // What the torus hides is left out of pictures of its wire.
+    let torus = at("torus").join("wire.json");
+    let drawn = |name: &str, more: &[&str]| {
+        succeeds(&wire4d(&[&["export", text(&torus), "--to", text(&at(name))], more].concat()));
+        fs::metadata(at(name)).unwrap().len()
+    };
+    let all = drawn("all.svg", &[]);
+    assert!(drawn("seen.svg", &["--covers", "torus"]) < all * 9 / 10);
+    let ink = |name: &str, more: &[&str]| {
+        succeeds(&wire4d(&[&["render", text(&torus), "--out", text(&at(name))], more].concat()));
+        let picture = image::open(at(name)).unwrap().to_luma16();
+        picture.pixels().map(|pixel| u64::from(pixel.0[0])).sum::<u64>()
+    };
+    assert!(ink("seen.png", &["--covers", "torus"]) < ink("all.png", &[]) * 4 / 5);
+    let strange = wire4d(&["export", text(&torus), "--to", text(&at("bad.svg")), "--covers", "teapot"]);
+    refused(&strange, "give a mesh or sphere");
     // A flag that takes one word only is no choice, and not offered.
     let help = succeeds(&wire4d(&["fill", "--help"]));
     assert!(help.contains("--flow <smooth|along") && !help.contains("--bend"), "{help}");

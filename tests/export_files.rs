@@ -4,8 +4,10 @@ mod export_support;
 
 use export_support as wires;
 use wire4d::export::{ExportOptions, Format, SvgOptions, bend_csv, export, svg};
-use wire4d::sculpture::{Sculpture, Strand, render};
-use wire4d::view::{Image, View};
+use wire4d::mesh::{Depths, Shape};
+use wire4d::sculpture::{Sculpture, Strand, render, render_seen};
+use wire4d::view::{Image, Occluder, View};
+use wire4d::wire::Wire;
 
 /// Coverage of an SVG's one path by the non-zero rule, 8 x 8 samples a pixel.
 fn draw(svg: &str, width: usize, height: usize) -> Image {
@@ -57,7 +59,7 @@ fn rms(a: &Image, b: &Image) -> f64 {
 fn a_drawing_shows_what_the_view_shows() {
     for (name, wire) in wires::all() {
         for view in [View::canonical(2.2, 128)[1].clone(), wires::perspective().with_size(160, 128)] {
-            let text = svg(&wire, &view, &SvgOptions::default());
+            let text = svg(&wire, &view, None, &SvgOptions::default());
             assert!(!text.contains("NaN") && !text.contains("inf"), "{name}");
             let (drawn, shown) = (draw(&text, view.width_px, view.height_px), render(&wire, &view));
             let difference = rms(&drawn, &shown);
@@ -69,7 +71,7 @@ fn a_drawing_shows_what_the_view_shows() {
 #[test]
 fn the_comparison_can_fail() {
     let view = &View::canonical(2.2, 128)[1];
-    let text = svg(&wires::curl(), view, &SvgOptions::default());
+    let text = svg(&wires::curl(), view, None, &SvgOptions::default());
     let shown = render(&wires::curl(), view);
     assert!(rms(&draw(&text, 128, 128), &shown) < 0.012);
     let mut shifted = shown.clone();
@@ -81,13 +83,39 @@ fn the_comparison_can_fail() {
     assert!(rms(&draw(&text, 128, 128), &holed) > 0.02, "a hole is seen");
 }
 
+/// Thrice round the sphere, from pole to pole and back.
+fn round_a_sphere() -> Wire {
+    let at = |i: usize| {
+        let turn = i as f64 / 120.0 * std::f64::consts::TAU;
+        let (height, around) = (0.9 * turn.cos(), 6.0 * turn);
+        let out = (1.0 - height * height).sqrt();
+        [out * around.cos(), height, out * around.sin(), 0.03]
+    };
+    Wire::closed_uniform((0..120).map(at).collect()).unwrap()
+}
+
+#[test]
+fn a_drawing_leaves_out_what_a_solid_hides() {
+    let (wire, sphere) = (round_a_sphere(), Shape::named("sphere").unwrap().mesh());
+    for view in [View::canonical(2.2, 256)[0].clone(), wires::perspective().with_size(320, 256)] {
+        // The depths are coarser than the drawing's: strands along the silhouette end elsewhere by a pixel.
+        let occluder = Occluder { steepness: 300.0, ..Occluder::new(Depths::render(&sphere, &view).widened()) };
+        let shown = render_seen(&wire, &view, &occluder);
+        let text = svg(&wire, &view, Some(&sphere), &SvgOptions::default());
+        let all = svg(&wire, &view, None, &SvgOptions::default());
+        let [hidden, bare] = [&text, &all].map(|text| rms(&draw(text, view.width_px, view.height_px), &shown));
+        assert!(hidden < 0.03 && bare > 0.1, "{}: differs by {hidden}, with the far side by {bare}", view.name);
+        assert!(text.len() < all.len() * 3 / 4, "{} of {} bytes", text.len(), all.len());
+    }
+}
+
 #[test]
 fn drawings_are_small_and_sized_like_the_view() {
     let view = wires::perspective();
-    let text = svg(&wires::smooth(1, 220), &view, &SvgOptions { ground: true, ..SvgOptions::default() });
+    let text = svg(&wires::smooth(1, 220), &view, None, &SvgOptions { ground: true, ..SvgOptions::default() });
     assert!(text.starts_with("<svg ") && text.trim_end().ends_with("</svg>"));
     assert!(text.contains("viewBox=\"0 0 320 256\"") && text.contains("<rect"));
-    assert!(!svg(&wires::helix(), &view, &SvgOptions::default()).contains("<rect"));
+    assert!(!svg(&wires::helix(), &view, None, &SvgOptions::default()).contains("<rect"));
     assert!(text.len() < 60_000, "{} bytes", text.len());
 }
 
@@ -97,7 +125,8 @@ fn a_bend_list_leads_along_the_wire() {
     use glam::{DQuat, DVec3};
     for (name, wire) in wires::all() {
         let sculpture = wires::sculpture(wire);
-        let text = String::from_utf8(export(&sculpture, Format::BendCsv, None, &ExportOptions::default()).unwrap());
+        let text =
+            String::from_utf8(export(&sculpture, Format::BendCsv, None, None, &ExportOptions::default()).unwrap());
         let text = text.unwrap();
         let rows: Vec<Vec<f64>> = text
             .lines()
@@ -151,7 +180,7 @@ fn prints_have_the_size_and_thickness_asked_for() {
     for (name, wire) in wires::all() {
         let sculpture = wires::sculpture(wire);
         let options = ExportOptions { object_size_mm: 80.0, min_radius_mm: 0.8, ..ExportOptions::default() };
-        let file = export(&sculpture, Format::Stl, None, &options).unwrap();
+        let file = export(&sculpture, Format::Stl, None, None, &options).unwrap();
         let corner = |t: usize, k: usize, c: usize| {
             let at = 84 + 50 * t + 12 * (k + 1) + 4 * c;
             f64::from(f32::from_le_bytes(file[at..at + 4].try_into().unwrap()))
@@ -189,14 +218,14 @@ fn formats_go_by_ending() {
 fn every_format_is_written_and_bad_sizes_are_refused() {
     let sculpture = wires::sculpture(wires::trefoil());
     for (format, ending) in Format::ALL {
-        let bytes = export(&sculpture, format, None, &ExportOptions::default()).unwrap();
+        let bytes = export(&sculpture, format, None, None, &ExportOptions::default()).unwrap();
         assert!(bytes.len() > 500, "{ending}");
     }
-    let json = export(&sculpture, Format::WireJson, None, &ExportOptions::default()).unwrap();
+    let json = export(&sculpture, Format::WireJson, None, None, &ExportOptions::default()).unwrap();
     assert_eq!(Sculpture::from_json("wire.json", &json).unwrap(), sculpture);
     for size in [0.0, -1.0, f64::NAN, 1e9] {
         let options = ExportOptions { object_size_mm: size, ..ExportOptions::default() };
-        let line = export(&sculpture, Format::Stl, None, &options).unwrap_err().to_string();
+        let line = export(&sculpture, Format::Stl, None, None, &options).unwrap_err().to_string();
         assert!(line.contains("object_size_mm"), "{line}");
     }
 }

@@ -48,7 +48,7 @@ fn the_validator_finds_no_error() {
     let folder = tempfile::tempdir().unwrap();
     let mut files = vec![];
     for (name, wire) in wires::all() {
-        let bytes = export(&wires::sculpture(wire), Format::Glb, None, &ExportOptions::default()).unwrap();
+        let bytes = export(&wires::sculpture(wire), Format::Glb, None, None, &ExportOptions::default()).unwrap();
         files.push(folder.path().join(format!("{name}.glb")));
         std::fs::write(files.last().unwrap(), bytes).unwrap();
     }

@@ -1,6 +1,7 @@
 //! Which file a name's ending asks for, and the one function that writes any of them.
 
 use super::{SvgOptions, TubeOptions, bend_csv, glb, obj, stl, svg, tube};
+use crate::mesh::Mesh;
 use crate::sculpture::{Sculpture, Strand, strands};
 use crate::view::View;
 use crate::{Error, Result};
@@ -102,11 +103,18 @@ impl ExportOptions {
 /// Samples a knot span before the tube is thinned.
 const SAMPLES_PER_SPAN: usize = 32;
 
-/// The bytes of a file. SVG draws `view`, or the first of the sculpture's views, or the front.
+/// The bytes of a file. SVG draws `view`, or the first of the sculpture's views, or the front, without what lies behind
+/// `solid`; the other formats have the whole wire alone.
 ///
 /// # Errors
 /// [`Error::Setting`] for options out of range.
-pub fn export(sculpture: &Sculpture, format: Format, view: Option<&View>, options: &ExportOptions) -> Result<Vec<u8>> {
+pub fn export(
+    sculpture: &Sculpture,
+    format: Format,
+    view: Option<&View>,
+    solid: Option<&Mesh>,
+    options: &ExportOptions,
+) -> Result<Vec<u8>> {
     options.check()?;
     let strands = strands(&sculpture.wire, SAMPLES_PER_SPAN);
     Ok(match format {
@@ -119,7 +127,7 @@ pub fn export(sculpture: &Sculpture, format: Format, view: Option<&View>, option
         Format::Svg => {
             let [front, ..] = View::canonical(2.2, 256);
             let view = view.or(sculpture.views.first()).unwrap_or(&front);
-            svg(&sculpture.wire, view, &options.svg).into_bytes()
+            svg(&sculpture.wire, view, solid, &options.svg).into_bytes()
         }
         Format::BendCsv => {
             let (mm_per_world, _) = scale(&strands, options.object_size_mm, 0.0);

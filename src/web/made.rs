@@ -2,11 +2,12 @@
 
 use super::json;
 use super::pictures::{Ink, ViewTarget};
-use crate::Error;
 use crate::export::{self, ExportOptions, Format};
+use crate::mesh::Mesh;
 use crate::metrics::ResultReport;
 use crate::sculpture::Sculpture;
 use crate::wire::Wire;
+use crate::{Error, Result};
 use wasm_bindgen::prelude::*;
 
 /// A wire as numbers.
@@ -121,13 +122,18 @@ impl Made {
 /// A wire.json as a file of another format, by its ending; `view` is the name of the view an SVG draws.
 #[wasm_bindgen]
 pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {
+    Ok(exported(file, format, view, None)?)
+}
+
+/// The same of a wire that covers a solid, which hides what of an SVG's lines is behind it.
+pub(super) fn exported(file: &[u8], format: &str, view: &str, solid: Option<&Mesh>) -> Result<Vec<u8>> {
     let sculpture = Sculpture::from_json("wire.json", file)?;
     let format = Format::from_path(&format!("wire.{format}"))?;
     let drawn = sculpture.views.iter().find(|known| known.name == view);
     if format == Format::Svg && drawn.is_none() && !sculpture.views.is_empty() {
         let names: Vec<&str> = sculpture.views.iter().map(|view| view.name.as_str()).collect();
         let problem = format!("the wire has no view {view:?}");
-        return Err(Error::setting("view", problem, format!("give one of {}", names.join(", "))).into());
+        return Err(Error::setting("view", problem, format!("give one of {}", names.join(", "))));
     }
-    Ok(export::export(&sculpture, format, drawn, &ExportOptions::default())?)
+    export::export(&sculpture, format, drawn, solid, &ExportOptions::default())
 }

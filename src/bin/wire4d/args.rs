@@ -74,6 +74,7 @@ pub fn command() -> Command {
                 .about("Coverage of a wire in one view as 16-bit grey PNG, ink white")
                 .arg(wire())
                 .arg(view())
+                .arg(covers())
                 .arg(
                     Arg::new("size")
                         .long("size")
@@ -89,7 +90,8 @@ pub fn command() -> Command {
                 .about("A wire as GLB, STL, OBJ, SVG, bend list (.bend.csv) or wire.json, by the file's ending")
                 .arg(wire())
                 .arg(file("to", "File to write").long("to").required(true))
-                .arg(view()),
+                .arg(view())
+                .arg(covers()),
         )
         .subcommand(
             Command::new("metrics").about("Numbers about a wire, as in a report's `result`").arg(wire()).arg(
@@ -158,6 +160,12 @@ fn view() -> Arg {
         .allow_hyphen_values(true)
         .default_value("front")
         .help("One of the wire's views by name, or a direction in degrees")
+}
+
+fn covers() -> Arg {
+    file("covers", "The mesh or built-in shape that the wire covers: lines behind it are left out of pictures and SVGs")
+        .long("covers")
+        .value_name("MESH")
 }
 
 fn with_settings(command: Command, task: Task) -> Command {

@@ -44,20 +44,23 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     Ok(())
 }
 
-/// A built-in shape or pattern by its word, unless a file is called so; else a file.
 fn given(matches: &ArgMatches) -> Result<Given> {
-    let path = args::path(matches, "mesh");
-    let name = path.display().to_string();
-    let mut given = match Shape::named(&name).filter(|_| !path.exists()) {
-        Some(shape) => Given::shape(shape),
-        None if is_word(path) => {
-            let words = Shape::ALL.map(Shape::name).join(", ");
-            return Err(Error::input(name, "is neither a file nor a shape", format!("give a mesh or {words}")));
-        }
-        None => Given::mended(&name, open_mesh(path)?),
-    };
+    let mut given = solid(args::path(matches, "mesh"))?;
     given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
     Ok(given)
+}
+
+/// A built-in shape by its word, unless a file is called so; else a mesh's file. It has no style yet.
+pub fn solid(path: &Path) -> Result<Given> {
+    let name = path.display().to_string();
+    match Shape::named(&name).filter(|_| !path.exists()) {
+        Some(shape) => Ok(Given::shape(shape)),
+        None if is_word(path) => {
+            let words = Shape::ALL.map(Shape::name).join(", ");
+            Err(Error::input(name, "is neither a file nor a shape", format!("give a mesh or {words}")))
+        }
+        None => Ok(Given::mended(&name, open_mesh(path)?)),
+    }
 }
 
 /// Whether a person meant something built in rather than a file.
@@ -65,6 +68,7 @@ fn is_word(path: &Path) -> bool {
     !path.exists() && path.extension().is_none()
 }
 
+/// A built-in pattern by its word, unless a file is called so; else a picture's file.
 fn style(path: &Path) -> Result<Style> {
     let name = path.display().to_string();
     if let Some(pattern) = Pattern::named(&name).filter(|_| !path.exists()) {

@@ -74,7 +74,7 @@ impl Making {
 /// The files of every run but its pictures.
 pub fn save(folder: &Folder, made: &Sculpture, report: &Report, loss_csv: &str) -> Result<()> {
     folder.write("wire.json", made.to_json().as_bytes())?;
-    folder.write("wire.glb", &export(made, Format::Glb, None, &ExportOptions::default())?)?;
+    folder.write("wire.glb", &export(made, Format::Glb, None, None, &ExportOptions::default())?)?;
     folder.write("loss.csv", loss_csv.as_bytes())?;
     let text = serde_json::to_string_pretty(report)
         .map_err(|error| Error::output("report.json", error.to_string(), "report this, it should not happen"))?;

@@ -3,8 +3,10 @@
 use crate::args;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use wire4d::export::{self, ExportOptions, Format};
 use wire4d::files::{read_at_most, write_whole};
+use wire4d::mesh::{Depths, Mesh};
 use wire4d::metrics::ResultReport;
 use wire4d::picture::{GreyDepth, read_picture, write_png};
 use wire4d::raster::{SELF_CHECK_TOLERANCE, self_check};
@@ -12,7 +14,7 @@ use wire4d::scene::{self, SceneJob};
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::Drawing;
-use wire4d::view::{MAX_PICTURE_PX, View, ViewSpec};
+use wire4d::view::{MAX_PICTURE_PX, Occluder, View, ViewSpec};
 use wire4d::wire::MAX_CONTROL_POINTS;
 use wire4d::{Error, Result};
 
@@ -26,7 +28,14 @@ pub fn render(matches: &ArgMatches) -> Result<()> {
     let side = |px: usize| (px * size).div_ceil(longer).max(1);
     let view = view.with_size(side(view.width_px), side(view.height_px));
     let out = args::path(matches, "out");
-    write_png(out, &sculpture::render(&made.wire, &view), GreyDepth::Bits16)?;
+    let picture = match solid(matches)? {
+        Some(solid) => {
+            let occluder = Occluder::new(Depths::render(&solid, &view).widened());
+            sculpture::render_seen(&made.wire, &view, &occluder)
+        }
+        None => sculpture::render(&made.wire, &view),
+    };
+    write_png(out, &picture, GreyDepth::Bits16)?;
     println!("{}", out.display());
     Ok(())
 }
@@ -55,8 +64,8 @@ pub fn export(matches: &ArgMatches) -> Result<()> {
     let to = args::path(matches, "to");
     let format = Format::from_path(&to.to_string_lossy())?;
     let made = read_wire(args::path(matches, "wire"))?;
-    let view = view_of(&made, matches)?;
-    write_whole(to, &export::export(&made, format, Some(&view), &ExportOptions::default())?)?;
+    let (view, solid) = (view_of(&made, matches)?, solid(matches)?);
+    write_whole(to, &export::export(&made, format, Some(&view), solid.as_deref(), &ExportOptions::default())?)?;
     println!("{}", to.display());
     Ok(())
 }
@@ -167,6 +176,12 @@ fn read_wire(path: &Path) -> Result<Sculpture> {
         Ok(None) => Err(Error::wire(name, "is larger than any wire", remedy)),
         Err(error) => Err(Error::wire(name, format!("cannot be read ({error})"), remedy)),
     }
+}
+
+/// What the wire covers, if that was said.
+fn solid(matches: &ArgMatches) -> Result<Option<Arc<Mesh>>> {
+    let path = matches.get_one::<PathBuf>("covers");
+    path.map(|path| Ok(crate::fill::solid(path)?.mesh)).transpose()
 }
 
 fn view_of(made: &Sculpture, matches: &ArgMatches) -> Result<View> {

@@ -64,6 +64,7 @@ export interface CoreSurface {
   dress(style: Covered["style"]): void;
   curve(settings: SettingValues, tell: (share: number) => void): OwnShape;
   start(settings: SettingValues, from: Bytes | null, ears: Ears): Promise<CoreRun>;
+  export(file: Bytes, format: ExportFormat, view: string): Bytes;
   free(): void;
 }
 
@@ -210,6 +211,7 @@ function covering(surface: wasm.Surface): CoreSurface {
       const given = JSON.stringify(settings);
       return pulled(await (from ? wasm.Run.resume_fill(surface, given, from, tell, note) : wasm.Run.start_fill(surface, given, tell, note)));
     },
+    export: (file, format, view) => own(surface.export_file(file, format, view)),
     free: () => surface.free(),
   };
 }

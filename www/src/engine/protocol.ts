@@ -313,8 +313,8 @@ export interface Calls {
   peek: { arguments: { code: string }; answer: { wire: WireShape; views: readonly View[] } };
   /** A share code, or the bytes of a wire.json with its name. */
   open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
-  /** A wire.json in another format; `view` is the name of the view an SVG draws. */
-  export: { arguments: { file: Uint8Array<ArrayBuffer>; format: ExportFormat; view: string }; answer: Uint8Array<ArrayBuffer> };
+  /** A wire.json in another format; `view` is the name of the view an SVG draws, without what is behind `covered`. */
+  export: { arguments: { file: Uint8Array<ArrayBuffer>; format: ExportFormat; view: string; covered: Solid | null }; answer: Uint8Array<ArrayBuffer> };
 }
 
 export type CallName = keyof Calls;

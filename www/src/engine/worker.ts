@@ -28,7 +28,7 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
   sheet: ({ drawing }) => sheetOf(drawing),
   peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
-  export: async ({ file, format, view }) => (await loaded()).export(file, format, view),
+  export: async ({ file, format, view, covered }) => (covered ? await surfaceOf(covered) : await loaded()).export(file, format, view),
 };
 
 async function run({ work, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {

@@ -9,7 +9,7 @@ import { sortFiles } from "./drawing/files";
 import { Dressing } from "./giving/dressing";
 import { Pads } from "./giving/pads";
 import { Sitting } from "./giving/sitting";
-import { BLANK, deskOf, SLOTS, untouched, type Doc, type Job } from "./keeping/document";
+import { BLANK, deskOf, SLOTS, untouched, type Doc, type Job, type Made } from "./keeping/document";
 import { Project } from "./keeping/project";
 import { remember } from "./keeping/remember";
 import { Opener } from "./opening/opener";
@@ -20,7 +20,7 @@ import { Previewer, type PadRemedy } from "./run/previewer";
 import { Runs } from "./run/runs";
 import { Options } from "./settings/options";
 import { Store } from "./store";
-import { wordsOf } from "./surface/cover";
+import { wordsOf, type Solid } from "./surface/cover";
 import { Planning } from "./surface/planning";
 import { AT_FIRST, type Bench, type StudioState } from "./studio-state";
 import { explain } from "./words";
@@ -252,12 +252,13 @@ export class Studio {
     this.project.save();
   }
 
-  /** The wire as a file; `view` is the one an SVG draws. */
+  /** The wire as a file; `view` is the one an SVG draws, with lines on the far side if the stage has them. */
   async export(format: ExportFormat, view = "front"): Promise<Blob | null> {
     const { made } = deskOf(this.doc);
     if (!made) return null;
     try {
-      const bytes = await this.engine.call("export", { file: made.finished.file, format, view });
+      const covered = format === "svg" ? this.hiding(made) : null;
+      const bytes = await this.engine.call("export", { file: made.finished.file, format, view, covered });
       return new Blob([bytes], { type: MIME[format] });
     } catch (error) {
       this.warn(explain(error, "The file"));
@@ -306,6 +307,12 @@ export class Studio {
     this.previewer.follow({ papers: doc.papers, settings: doc.desks.multiview.settings });
     this.planning.follow(this.opener.ahead);
     this.seekPlace();
+  }
+
+  /** The shape that hides the far side of a wire that covers it. */
+  private hiding({ track }: Made): Solid | null {
+    if (this.doc.job !== "fill" || this.options.value("hidden_lines") === "true") return null;
+    return (track?.given.job === "fill" ? track.given.cover : this.doc.cover)?.solid ?? null;
   }
 
   private setJob(job: Job): void {

@@ -91,7 +91,15 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   const stl = await saved(/^\s*STL/);
   expect(stl.length).toBe(84 + 50 * stl.readUInt32LE(80));
   expect(openEdges(stl)).toBe(0);
-  expect((await saved(/^\s*SVG/)).toString()).toMatch(/<svg/);
+  // An SVG has the lines that the stage has.
+  const drawn = (await saved(/^\s*SVG/)).toString();
+  expect(drawn).toMatch(/<svg/);
+  const through = (pressed: boolean) => page.locator("wire-stage").getByRole("button", { name: "Lines on the far side", pressed });
+  await through(false).click();
+  await through(true).waitFor();
+  expect((await saved(/^\s*SVG/)).length).toBeGreaterThan(1.3 * drawn.length);
+  await through(true).click();
+  await through(false).waitFor();
 
   // Another spacing shows how it would run, and leaves what was made where it is.
   await page.locator("fill-choices #curve_spacing").fill("0.12");
