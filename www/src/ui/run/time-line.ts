@@ -201,7 +201,8 @@ export class TimeLine extends Part {
     if (by === undefined) return;
     event.preventDefault();
     this.rest();
-    this.look(Math.max(0, (this.state.looking ?? this.snapshots.length - 1) + by));
+    // What is drawn may be a frame behind keys that repeat.
+    this.look(Math.max(0, (this.studio.store.get().looking ?? this.snapshots.length - 1) + by));
   };
 
   private look(index: number): void {
