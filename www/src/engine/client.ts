@@ -8,11 +8,16 @@ export class Problem extends Error {}
 export class Cancelled extends Error {}
 
 interface Waiting {
+  readonly call: CallName;
+  readonly given: object;
   resolve(answer: unknown): void;
   reject(reason: Error): void;
 }
 
-const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; please try again.";
+/** What takes long, and can be ended before its time. */
+const ENDED: readonly CallName[] = ["run", "curve"];
+
+const CRASHED = "The engine stopped unexpectedly. What you gave it is still here; please try again.";
 const ABSENT = "The engine could not be started. Reload the page; if that does not help, use another browser or a normal window.";
 
 export class EngineClient {
@@ -24,29 +29,33 @@ export class EngineClient {
     this.start();
   }
 
-  call<K extends CallName>(call: K, given: Calls[K]["arguments"], transfer: Transferable[] = []): Promise<Calls[K]["answer"]> {
-    const worker = this.worker ?? this.start();
-    if (!worker) return Promise.reject(new Problem(ABSENT));
-    const id = this.nextId++;
-    return new Promise((resolve, reject) => {
-      worker.postMessage({ id, call, ...given } as unknown as Request, transfer);
-      this.waiting.set(id, { resolve: resolve as (answer: unknown) => void, reject });
-    });
+  call<K extends CallName>(call: K, given: Calls[K]["arguments"]): Promise<Calls[K]["answer"]> {
+    return new Promise((resolve, reject) => this.ask({ call, given, resolve: resolve as (answer: unknown) => void, reject }));
   }
 
   control(control: Control["control"]): void {
     this.worker?.postMessage({ control } satisfies Control);
   }
 
-  /** Ends whatever runs, even where it does not listen, and starts afresh. */
+  /** Ends the run or the curve under way, even where it does not listen; what else was asked, a fresh worker is asked. */
   cancel(): void {
-    this.drop(new Cancelled("cancelled"));
-    this.start();
+    if (![...this.waiting.values()].some(({ call }) => ENDED.includes(call))) return;
+    for (const waiting of this.leave()) {
+      if (ENDED.includes(waiting.call)) waiting.reject(new Cancelled("cancelled"));
+      else this.ask(waiting);
+    }
+    if (!this.worker) this.start();
   }
 
-  /** The same, unless others would lose their answers, too. */
-  cancelIfAlone(): void {
-    if (this.waiting.size === 1) this.cancel();
+  private ask(waiting: Waiting): void {
+    const worker = this.worker ?? this.start();
+    if (!worker) {
+      waiting.reject(new Problem(ABSENT));
+      return;
+    }
+    const id = this.nextId++;
+    worker.postMessage({ id, call: waiting.call, ...waiting.given } as unknown as Request);
+    this.waiting.set(id, waiting);
   }
 
   /** A worker where the browser allows one. One that turns out not to load is dropped; the next call tries again. */
@@ -80,10 +89,15 @@ export class EngineClient {
   }
 
   private drop(reason: Error): void {
+    for (const waiting of this.leave()) waiting.reject(reason);
+  }
+
+  /** Ends the worker; what it still owes. */
+  private leave(): Waiting[] {
     this.worker?.terminate();
     this.worker = null;
-    const given = [...this.waiting.values()];
+    const owed = [...this.waiting.values()];
     this.waiting.clear();
-    for (const call of given) call.reject(reason);
+    return owed;
   }
 }

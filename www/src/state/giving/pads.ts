@@ -22,7 +22,7 @@ export class Pads {
       const { note, ...pixels } = await readPicture(file, name);
       const picture = kept(pixels, name);
       const reading: Reading = { ink: "auto", threshold: 0 };
-      const found = await this.bench.engine.call("read", { picture: { name, ...pixels }, reading, sidePx: PAPER_PX }, [pixels.rgba.buffer]);
+      const found = await this.bench.engine.call("read", { picture: { name, ...pixels }, reading, sidePx: PAPER_PX });
       const layer: PictureLayer = { kind: "picture", picture, reading, found, lay: { mirrored: false, quarterTurns: 0 } };
       this.set(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, `Put ${name} on the ${slot} pad`);
       this.show(slot, { ...QUIET, note });
@@ -40,7 +40,7 @@ export class Pads {
     this.show(slot, { ...QUIET, busy: true });
     try {
       const picture = await pixelsOf(layer.picture);
-      const found = await this.bench.engine.call("read", { picture, reading, sidePx: PAPER_PX }, [picture.rgba.buffer]);
+      const found = await this.bench.engine.call("read", { picture, reading, sidePx: PAPER_PX });
       // Unless the pad was drawn on meanwhile.
       if (this.papers[slot] === paper) {
         const reread = { ...paper, layers: paper.layers.with(at, { ...layer, reading, found }) };

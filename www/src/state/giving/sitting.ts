@@ -16,7 +16,7 @@ export class Sitting {
       const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth: null };
       const take = (found: Subject["found"]): void => this.bench.edit(`Take the picture ${name}`, { subject: { ...subject, found } });
       try {
-        take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1 }, [pixels.rgba.buffer]));
+        take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1 }));
       } catch (error) {
         // Where the app finds nothing, the person may paint it.
         if (error instanceof Problem) take(null);

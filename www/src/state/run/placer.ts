@@ -1,6 +1,5 @@
 /** Where runs are computed: what is asked for, what the core makes of it, and what becomes of that on the way. */
 
-import { Cancelled } from "../../engine/client";
 import type { Backend, Place } from "../../engine/protocol";
 import { asSentence, explain } from "../words";
 
@@ -84,8 +83,6 @@ export class Placer {
     try {
       return { place: await this.ask(asked), refusal: "" };
     } catch (error) {
-      // The worker was ended for another reason: once more.
-      if (error instanceof Cancelled) return this.find(asked);
       // What else fails is told where it is in the way.
       if (asked !== "gpu") return { place: null, refusal: "" };
       return { ...(await this.find("cpu")), refusal: explain(error, "The graphics card") };

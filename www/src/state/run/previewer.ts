@@ -1,6 +1,5 @@
 /** Keeps a preview of the drawings as they are now: soon after they change, one at a time, and only of the newest. */
 
-import { Cancelled } from "../../engine/client";
 import type { BendPreview, Drawing, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
 import { SLOTS, type Desk, type Doc, type Slot } from "../keeping/document";
 import { drawingOf, isBlank } from "../drawing/paper";
@@ -84,9 +83,7 @@ export class Previewer {
         this.show({ preview: bySlots, previewBusy: false, previewProblem: "" });
       }
     } catch (error) {
-      // The worker was ended for another reason: once more.
-      if (error instanceof Cancelled) this.timer = setTimeout(() => void this.work(), WAIT_MS);
-      else if (current()) this.show({ preview: null, previewBusy: false, previewProblem: explain(error, "The preview") });
+      if (current()) this.show({ preview: null, previewBusy: false, previewProblem: explain(error, "The preview") });
     }
     this.working = false;
     if (!current() && this.wanted) void this.work();
