@@ -3,14 +3,20 @@
 import { openShareCode } from "../embed/share/code";
 import { loaded, type CoreSurface } from "./core";
 import { fitted } from "./fit";
-import type { Answer, Calls, Control, Covered, Finished, News, Request, Solid } from "./protocol";
+import type { Answer, Calls, Control, Covered, Finished, FoundSurface, News, Request, Solid } from "./protocol";
 import { Pull } from "./pull";
 import { sheetOf } from "./sheet";
 
-const CRASHED = "The engine stopped unexpectedly. Your pictures are still here; please try again.";
+const CRASHED = "The engine stopped unexpectedly. What you gave it is still here; please try again.";
 
 let pull: Pull | null = null;
-let surface: { readonly key: string; readonly core: CoreSurface } | null = null;
+let surface: { readonly key: string; readonly opened: Promise<Opened> } | null = null;
+
+/** What is told of a shape is kept beside it, since nobody may look at it while a run holds it. */
+interface Opened {
+  readonly core: CoreSurface;
+  readonly found: FoundSurface;
+}
 
 const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<Calls[K]["answer"]> } = {
   settings: async () => (await loaded()).settings(),
@@ -21,14 +27,14 @@ const handlers: { [K in keyof Calls]: (given: Calls[K]["arguments"]) => Promise<
   },
   find: async ({ picture, object }) => (await loaded()).find(picture, object),
   preview: async ({ drawings, settings }) => (await loaded()).preview(drawings, settings),
-  surface: async ({ solid }) => (await surfaceOf(solid)).found(),
+  surface: async ({ solid }) => (await surfaceOf(solid)).found,
   curve: async ({ covered, settings }) => (await dressed(covered)).curve(settings, (share) => tell({ news: "covering", share })),
   pattern: async ({ pattern, sidePx }) => (await loaded()).pattern(pattern, sidePx),
   run,
   sheet: ({ drawing }) => sheetOf(drawing),
   peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
-  export: async ({ file, format, view, covered }) => (covered ? await surfaceOf(covered) : await loaded()).export(file, format, view),
+  export: async ({ file, format, view, covered }) => (covered ? (await surfaceOf(covered)).core : await loaded()).export(file, format, view),
 };
 
 async function run({ work, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {
@@ -59,21 +65,30 @@ async function run({ work, settings, from }: Calls["run"]["arguments"]): Promise
 }
 
 /** Read once, however often it is asked for. */
-async function surfaceOf(solid: Solid): Promise<CoreSurface> {
+function surfaceOf(solid: Solid): Promise<Opened> {
   const key = "shape" in solid ? solid.shape : solid.key;
   if (surface?.key !== key) {
-    const core = await loaded();
-    const read = "shape" in solid ? core.shape(solid.shape) : core.mesh(solid.name, new Uint8Array(await solid.file.arrayBuffer()));
-    surface?.core.free();
-    surface = { key, core: read };
+    // Whoever waits for it still has it first.
+    void surface?.opened.then(({ core }) => setTimeout(() => core.free()), () => undefined);
+    const opened = open(solid);
+    surface = { key, opened };
+    opened.catch(() => {
+      if (surface?.opened === opened) surface = null;
+    });
   }
-  return surface.core;
+  return surface.opened;
+}
+
+async function open(solid: Solid): Promise<Opened> {
+  const core = await loaded();
+  const read = "shape" in solid ? core.shape(solid.shape) : core.mesh(solid.name, new Uint8Array(await solid.file.arrayBuffer()));
+  return { core: read, found: read.found() };
 }
 
 async function dressed({ solid, style }: Covered): Promise<CoreSurface> {
-  const surface = await surfaceOf(solid);
-  surface.dress(style);
-  return surface;
+  const { core } = await surfaceOf(solid);
+  core.dress(style);
+  return core;
 }
 
 function tell(message: News | Answer, transfer: Transferable[] = []): void {

@@ -6,7 +6,7 @@ import type { Cover } from "../surface/cover";
 import { Coverer, NO_COVER, type CoverState, type Wish } from "./coverer";
 
 const cover = (shape: "vase" | "knot"): Cover => ({ solid: { shape }, style: null });
-const wish = (curve: string | null, shape: "vase" | "knot" = "vase"): Wish => ({ cover: cover(shape), settings: {}, curve });
+const wish = (curve: string | null, shape: "vase" | "knot" = "vase", running = false): Wish => ({ cover: cover(shape), settings: {}, curve, running });
 
 let state: CoverState;
 let asked: string[];
@@ -96,4 +96,20 @@ it("says once why there is none, and tries again when something changes", async 
   coverer.follow(wish("b"));
   await later();
   expect(asked).toHaveLength(3);
+});
+
+it("leaves the engine to a run, and asks it for no more than the shape", async () => {
+  coverer.follow(wish("a"));
+  await later();
+  coverer.follow(wish("b", "vase", true));
+  await later();
+  expect(asked).toEqual(["vase", "curve"]);
+  answers[0]!.resolve({} as WireShape);
+  coverer.follow(wish("c", "knot", true));
+  await later();
+  expect(asked).toEqual(["vase", "curve", "knot"]);
+  expect(state).toMatchObject({ surface: { triangles: 4 }, curve: null, covering: null });
+  coverer.follow(wish("c", "knot"));
+  await later();
+  expect(asked).toEqual(["vase", "curve", "knot", "curve"]);
 });

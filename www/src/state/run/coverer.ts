@@ -28,6 +28,8 @@ export interface Wish {
   readonly settings: SettingValues;
   /** Names the curve; null where a finished wire is shown in its place. */
   readonly curve: string | null;
+  /** Whether a run has the engine: then the shape alone is asked for, and nothing is ended. */
+  readonly running: boolean;
 }
 
 export interface CoverEngine {
@@ -55,7 +57,7 @@ export class Coverer {
     private readonly show: (state: Partial<CoverState>) => void,
   ) {}
 
-  /** To be called after every change; null while nobody looks, or while a run has the engine. */
+  /** To be called after every change; null while nobody looks. */
   follow(wish: Wish | null): void {
     const before = this.wish;
     this.wish = wish;
@@ -67,7 +69,7 @@ export class Coverer {
       this.show(NO_COVER);
       this.surfaceKnown = false;
     }
-    if (this.making && this.making !== wish.curve) this.engine.cancel();
+    if (this.making && this.making !== wish.curve && !wish.running) this.engine.cancel();
     if (!this.done(wish)) this.timer = setTimeout(() => void this.work(), before ? WAIT_MS : 0);
   }
 
@@ -84,8 +86,8 @@ export class Coverer {
     if (this.making) this.show({ covering: share });
   }
 
-  private done({ curve }: Wish): boolean {
-    return this.surfaceKnown && (curve === null || curve === this.known.curve);
+  private done({ curve, running }: Wish): boolean {
+    return this.surfaceKnown && (running || curve === null || curve === this.known.curve);
   }
 
   private async work(): Promise<void> {
@@ -109,7 +111,8 @@ export class Coverer {
       this.making = wish.curve!;
       this.show({ covering: 0, coverProblem: "" });
       const covered = await coveredOf(wish.cover);
-      const curve = this.making === this.wish?.curve ? await this.engine.curve(covered, wish.settings) : null;
+      const wanted = this.making === this.wish?.curve && !this.wish.running;
+      const curve = wanted ? await this.engine.curve(covered, wish.settings) : null;
       if (curve && current()) {
         this.known = { solid, curve: wish.curve! };
         this.show({ curve });
