@@ -82,6 +82,19 @@ export function showsExample({ doc, examples }: Pick<StudioState, "doc" | "examp
   return doc.desks[doc.job].made?.source === "example" && examples[doc.job] === givenOf(doc);
 }
 
+/** Once no run is under way. */
+export function whenIdle(store: Store<StudioState>): Promise<void> {
+  return new Promise((resolve) => {
+    const stop = store.follow(({ phase }) => {
+      if (phase !== "idle") return;
+      setTimeout(() => {
+        stop();
+        resolve();
+      });
+    });
+  });
+}
+
 /** What each part of the studio works with. */
 export interface Bench {
   readonly engine: EngineClient;

@@ -3,6 +3,7 @@
 import type { WireShape } from "../embed/shape";
 import { EngineClient } from "../engine/client";
 import type { Backend, Drawing, ExportFormat, Ink, PatternName } from "../engine/protocol";
+import { addressed } from "./address/address";
 import { writeFragment } from "./address/fragment";
 import { forOthers, readRenderer } from "./address/renderer";
 import { sortFiles } from "./drawing/files";
@@ -20,10 +21,10 @@ import { Previewer, type PadRemedy } from "./run/previewer";
 import { Runs } from "./run/runs";
 import { Options } from "./settings/options";
 import { Store } from "./store";
-import { wordsOf, type Solid } from "./surface/cover";
+import type { Solid } from "./surface/cover";
 import { Planning } from "./surface/planning";
 import { AT_FIRST, type Bench, type StudioState } from "./studio-state";
-import { explain } from "./words";
+import { DURING_A_RUN, explain } from "./words";
 
 export { deskOf, JOBS, SLOTS, type Doc, type Job, type Made, type Slot } from "./keeping/document";
 export { WHEN_HIDDEN, type WhenHidden } from "./run/hidden-tab";
@@ -54,6 +55,11 @@ export class Studio {
     recalled: () => this.recalled,
     choose: (job) => this.setJob(job),
     wire: (wire) => this.showWire(wire),
+    show: () => {
+      this.runs.show();
+      this.planning.follow(false);
+    },
+    awaits: () => this.planning.awaits(),
   });
   private readonly previewer = new Previewer(
     (drawings: readonly Drawing[], settings) => this.engine.call("preview", { drawings, settings }),
@@ -63,11 +69,12 @@ export class Studio {
     {
       surface: (solid) => this.engine.call("surface", { solid }),
       curve: (covered, settings) => this.engine.call("curve", { covered, settings }),
-      cancel: () => this.engine.cancelIfAlone(),
+      cancel: () => this.engine.cancel(),
     },
     (state) => {
       this.store.set(state);
-      if ("curve" in state) this.runs.show();
+      // Whoever looks back sees it afterwards.
+      if ("curve" in state && this.doc.job === "fill" && this.store.get().looking === null) this.runs.show();
     },
   );
   private readonly planning = new Planning(this.bench, this.options, this.coverer);
@@ -239,7 +246,8 @@ export class Studio {
 
   /** Shows what an address asks for. */
   async openFragment(hash: string): Promise<void> {
-    if (!(await this.opener.fragment(hash))) await this.showExample();
+    if (this.busy) this.warn(DURING_A_RUN);
+    else if (!(await this.opener.fragment(hash))) await this.showExample();
   }
 
   /** This tab keeps the project from now on. */
@@ -268,9 +276,19 @@ export class Studio {
 
   /** A link that carries the whole wire and the settings. */
   link(page: string): string | null {
-    const { made, settings } = deskOf(this.doc);
-    const { cover } = this.doc;
-    return made ? forOthers(page) + writeFragment(this.doc.job, made.finished.code, settings, cover ? wordsOf(cover) : undefined) : null;
+    const { made } = deskOf(this.doc);
+    return made && forOthers(page) + this.address(writeFragment(this.doc.job, made.finished.code, {}));
+  }
+
+  /** What should stand in the address in place of `hash`. */
+  address(hash: string): string {
+    const { made } = deskOf(this.doc);
+    return addressed(hash, this.doc, made && this.planning.coverOf(made));
+  }
+
+  /** Whether the stage shows what a link carries, ahead of the document. */
+  get ahead(): boolean {
+    return this.opener.ahead;
   }
 
   /** The picture of a style by formula. */
@@ -310,9 +328,9 @@ export class Studio {
   }
 
   /** The shape that hides the far side of a wire that covers it. */
-  private hiding({ track }: Made): Solid | null {
+  private hiding(made: Made): Solid | null {
     if (this.doc.job !== "fill" || this.options.value("hidden_lines") === "true") return null;
-    return (track?.given.job === "fill" ? track.given.cover : this.doc.cover)?.solid ?? null;
+    return this.planning.coverOf(made)?.solid ?? null;
   }
 
   private setJob(job: Job): void {

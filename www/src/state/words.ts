@@ -27,6 +27,8 @@ export function explain(error: unknown, what: string): string {
   return `${what} did not work out. Nothing is lost; please try again.`;
 }
 
+export const DURING_A_RUN = "A run is under way. Wait for its end, or stop it; then open this again.";
+
 /** What a file without a name is called. */
 export const named = (name: string): string => name || "The file";
 

@@ -19,6 +19,12 @@ it("carries settings, and a wire only while it is the one on the stage", () => {
 it("carries the job that is looked at, unless it is the first", () => {
   expect(addressed("", doc(null, {}, "stroke"))).toBe("#v=1&job=stroke");
   expect(addressed("#v=1&job=stroke&w=AB", doc("AB", { seed: "4" }, "stroke"))).toBe("#v=1&job=stroke&w=AB&seed=4");
+  // A wire never stands beside a shape that it does not cover.
+  const [vase, knot] = (["vase", "knot"] as const).map((shape) => ({ solid: { shape }, style: null }));
+  const turned = { ...doc("AB", {}, "fill"), cover: knot! };
+  expect(addressed("#v=1&job=fill&shape=vase&w=AB", turned, vase)).toBe("#v=1&job=fill&shape=vase&w=AB");
+  expect(addressed("#v=1&job=fill&shape=vase&w=AB", turned, null)).toBe("#v=1&job=fill&w=AB");
+  expect(addressed("#v=1&job=fill&shape=vase&w=CD", turned, vase)).toBe("#v=1&job=fill&shape=knot");
   // What the other job has made is not on the stage.
   expect(addressed("#v=1&w=AB", { ...doc("AB"), job: "stroke" })).toBe("#v=1&job=stroke");
 });

@@ -4,15 +4,20 @@ import { Problem } from "../../engine/client";
 import { kept, readPicture } from "../drawing/picture";
 import { QUIET, type Bench, type PadState } from "../studio-state";
 import { solidName, type Cover, type PatternName, type ShapeName, type Solid } from "../surface/cover";
-import { explain } from "../words";
+import { DURING_A_RUN, explain } from "../words";
 
 const MOST_FILE_BYTES = 200_000_000;
 
+type Kind = "solid" | "style";
+
 export class Dressing {
+  /** What was asked for last: what is read for earlier ones comes too late. */
+  private readonly newest = { solid: 0, style: 0 };
+
   constructor(private readonly bench: Bench) {}
 
   shape(shape: ShapeName): void {
-    this.show(QUIET);
+    this.instead("solid");
     const { cover } = this.bench.doc;
     if (cover && "shape" in cover.solid && cover.solid.shape === shape) return;
     this.take({ shape });
@@ -20,34 +25,36 @@ export class Dressing {
 
   /** A mesh from a file. A bad one leaves what was there. */
   async open(file: Blob, name: string): Promise<void> {
-    await this.attempt(name, async () => {
+    await this.attempt("solid", name, async () => {
       if (file.size === 0) throw new Problem(`${name} is empty. Choose another mesh.`);
       if (file.size > MOST_FILE_BYTES) {
         throw new Problem(`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a mesh of at most ${MOST_FILE_BYTES / 1e6} MB, or thin it out first.`);
       }
-      const solid: Solid = { key: crypto.randomUUID(), name, file };
+      // The bytes as they are now: what is on the disc may be written anew by the program it comes from.
+      const solid: Solid = { key: crypto.randomUUID(), name, file: new Blob([await file.arrayBuffer()]) };
       // Read for what is wrong with it; the worker keeps it for whoever wants to see it.
       await this.bench.engine.call("surface", { solid });
-      this.take(solid);
+      return { take: () => this.take(solid) };
     });
   }
 
   pattern(style: PatternName | null): void {
-    this.show(QUIET);
+    this.instead("style");
     this.dress(style, style ? `Take the style ${style}` : "Take no style");
   }
 
   /** A picture whose look the wire takes on. */
   async picture(file: Blob, name: string): Promise<void> {
-    await this.attempt(name, async () => {
+    await this.attempt("style", name, async () => {
+      if (!this.bench.doc.cover) throw new Problem(`A style needs a shape. Choose one, then give ${name} again.`);
       const { note, ...pixels } = await readPicture(file, name);
-      this.dress(kept(pixels, name), `Take the style of ${name}`);
-      return note;
+      return { note, take: () => this.dress({ ...kept(pixels, name), key: crypto.randomUUID() }, `Take the style of ${name}`) };
     });
   }
 
   clear(): void {
-    this.show(QUIET);
+    this.instead("solid");
+    this.instead("style");
     if (this.bench.doc.cover) this.bench.edit("Take the shape away", { cover: null });
   }
 
@@ -61,14 +68,27 @@ export class Dressing {
     if (cover && cover.style !== style) this.bench.edit(label, { cover: { ...cover, style } });
   }
 
-  /** `work` may end with a note. */
-  private async attempt(name: string, work: () => Promise<string | void>): Promise<void> {
+  /** Takes what `work` reads, unless something else is wanted by then. */
+  private async attempt(kind: Kind, name: string, work: () => Promise<{ readonly take: () => void; readonly note?: string }>): Promise<void> {
+    const mine = ++this.newest[kind];
     this.show({ ...QUIET, busy: true });
+    let after: PadState;
     try {
-      this.show({ ...QUIET, note: (await work()) ?? "" });
+      const { take, note = "" } = await work();
+      if (this.newest[kind] !== mine) return;
+      if (this.bench.busy) throw new Problem(DURING_A_RUN);
+      take();
+      after = { ...QUIET, note };
     } catch (error) {
-      this.show({ ...QUIET, problem: explain(error, name) });
+      after = { ...QUIET, problem: explain(error, name) };
     }
+    if (this.newest[kind] === mine) this.show(after);
+  }
+
+  /** Something else is wanted than what may be being read. */
+  private instead(kind: Kind): void {
+    this.newest[kind]++;
+    this.show(QUIET);
   }
 
   private show(dressing: PadState): void {

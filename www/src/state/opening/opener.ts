@@ -10,10 +10,10 @@ import { pixelsOf } from "../drawing/picture";
 import { untouched, withDesk, type Made } from "../keeping/document";
 import { NOTHING_TO_SEE } from "../run/runner";
 import type { Options } from "../settings/options";
-import type { Bench } from "../studio-state";
+import { whenIdle, type Bench } from "../studio-state";
 import type { Subject } from "../subject/subject";
 import { wordsOf, type Cover, type CoverWords } from "../surface/cover";
-import { asSentence, explain, named } from "../words";
+import { asSentence, DURING_A_RUN, explain, named } from "../words";
 
 /** Where a wire comes from: an example also tells how well it matches, since the core cannot measure without pictures. */
 type From = { readonly source: "link" } | { readonly source: "example"; readonly measured: readonly ViewMeasures[] };
@@ -30,6 +30,10 @@ export class Opener {
       recalled(): Promise<unknown>;
       choose(job: Job): void;
       wire(wire: WireShape): void;
+      /** What the document has. */
+      show(): void;
+      /** A wire is on its way that is of what is there now. */
+      awaits(): void;
     },
   ) {}
 
@@ -47,26 +51,34 @@ export class Opener {
       return false;
     }
     if (!job) return false;
+    if (code !== null) this.opening = job;
     this.page.choose(job);
     this.options.ask(job, settings);
-    if (job === "fill") void this.page.recalled().then(() => this.cover(cover, code !== null));
+    if (job === "fill") void this.page.recalled().then(() => this.cover(cover, code));
     return code !== null && this.code(code, job, { source: "link" });
   }
 
   /** The shape that a link names: a wire without one is not shown over another. */
-  private cover({ shape, style }: CoverWords, wire: boolean): void {
+  private cover({ shape, style }: CoverWords, code: string | null): void {
     const { doc, busy, project } = this.bench;
     const has = doc.cover && wordsOf(doc.cover);
-    if (busy || (!shape && !wire) || (shape && has?.shape === shape && has.style === style)) return;
+    if (busy || (code !== null && this.has(code, "fill"))) return;
+    if ((!shape && code === null) || (shape && has?.shape === shape && has.style === style)) return;
     const cover: Cover | null = shape && { solid: { shape }, style };
-    if (wire) this.bench.edit("Open the link", { cover }, "open a link");
+    if (code !== null) this.bench.edit("Open the link", { cover }, "open a link");
     else project.replace({ cover });
+  }
+
+  /** Whether the link is to the very wire that is there: a person comes back to their own, with all that it came from. */
+  private has(code: string, job: Job): boolean {
+    return this.bench.doc.desks[job].made?.finished.code === code;
   }
 
   async file(file: File): Promise<void> {
     try {
       const bytes = new Uint8Array(await file.arrayBuffer());
       const finished = await this.bench.engine.call("open", { file: bytes, name: file.name });
+      this.page.awaits();
       this.opened({ finished, source: "file", track: null, stopped: false, seconds: 0 }, this.bench.doc.job, `Open ${file.name}`);
     } catch (error) {
       this.bench.warn(explain(error, named(file.name)));
@@ -152,7 +164,7 @@ export class Opener {
     try {
       // Read aside, to keep nobody waiting; here where there is no worker, or to hear what is wrong.
       const { wire, views } = await this.bench.engine.call("peek", { code }).catch(() => openShareCode(code));
-      if (this.ahead) {
+      if (this.ahead && !this.bench.busy) {
         this.page.wire(wire);
         this.bench.store.set({ ...NOTHING_TO_SEE, views });
       }
@@ -168,9 +180,17 @@ export class Opener {
 
   private async adopt(code: string, job: Job, from: From): Promise<void> {
     try {
-      const finished = await this.bench.engine.call("open", { code });
       await this.page.recalled();
+      this.page.awaits();
+      const before = this.bench.doc.desks[job].made;
+      const finished = this.has(code, job) ? null : await this.bench.engine.call("open", { code });
+      await whenIdle(this.bench.store);
       this.opening = null;
+      // A wire that was made meanwhile is newer.
+      if (!finished || this.bench.doc.desks[job].made !== before) {
+        this.page.show();
+        return;
+      }
       const measures = from.source === "example" ? { ...finished.measures, views: from.measured } : finished.measures;
       // The code as it came: the same link again.
       const made: Made = { finished: { ...finished, code, measures }, source: from.source, track: null, stopped: false, seconds: 0 };
@@ -184,7 +204,10 @@ export class Opener {
 
   private opened(made: Made, job: Job, label: string): void {
     const { busy, doc, project } = this.bench;
-    if (busy) return;
+    if (busy) {
+      this.bench.warn(DURING_A_RUN);
+      return;
+    }
     // With the shape of the link, if it names one, as one step.
     const kind = job === "fill" && made.source === "link" ? "open a link" : "";
     if (made.source !== "example") this.bench.edit(label, withDesk(doc, job, { made, loose: null }), kind);

@@ -3,7 +3,7 @@
 import type { WireShape } from "../../embed/shape";
 import type { Backend, Finished, Job, News } from "../../engine/protocol";
 import { deskOf, SLOTS, withDesk, type Doc, type Made } from "../keeping/document";
-import type { Bench } from "../studio-state";
+import { whenIdle, type Bench } from "../studio-state";
 import { explain } from "../words";
 import type { Placer } from "./placer";
 import { sheetsOf } from "./previewer";
@@ -97,8 +97,9 @@ export class Runs {
     const snapshot = track?.snapshots[index];
     if (!track || !snapshot || (this.bench.busy && !this.here)) return;
     this.runner.cancel();
-    await this.settled();
-    await this.resume(upTo(track, snapshot));
+    await whenIdle(this.bench.store);
+    // Unless somebody was quicker.
+    if (!this.bench.busy) await this.resume(upTo(track, snapshot));
   }
 
   async continueUnfinished(): Promise<void> {
@@ -207,19 +208,6 @@ export class Runs {
     if (track.loose) this.bench.edit("Compare with loose strokes", withDesk(doc, jobOf(track), { loose: made }));
     else this.bench.edit("Make the wire", withDesk(doc, jobOf(track), { made, loose: null }));
     this.show();
-  }
-
-  /** Once the run that was called off has ended. */
-  private settled(): Promise<void> {
-    return new Promise((resolve) => {
-      const stop = this.bench.store.follow(({ phase }) => {
-        if (phase !== "idle") return;
-        setTimeout(() => {
-          stop();
-          resolve();
-        });
-      });
-    });
   }
 }
 

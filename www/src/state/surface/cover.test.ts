@@ -30,6 +30,8 @@ it("minds the style where lines follow it", () => {
 });
 
 it("tells one file from its namesake", () => {
+  const picture = (key: string): Cover => ({ ...vase, style: { key, name: "image.png", width: 1, height: 1, rgba: new Blob() } });
+  expect(key(picture("p1"), { flow: "style" })).not.toBe(key(picture("p2"), { flow: "style" }));
   expect(key(own)).not.toBe(key({ ...own, solid: { key: "k2", name: "bunny.obj", file: new Blob() } }));
 });
 

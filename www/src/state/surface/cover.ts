@@ -9,7 +9,12 @@ export { PATTERNS, SHAPES, type PatternName, type ShapeName, type Solid } from "
 export interface Cover {
   readonly solid: Solid;
   /** By formula, or a person's own picture. */
-  readonly style: PatternName | KeptPicture | null;
+  readonly style: PatternName | StylePicture | null;
+}
+
+/** The key tells it from its namesakes; what was kept before there were keys has none. */
+export interface StylePicture extends KeptPicture {
+  readonly key?: string;
 }
 
 /** Of a link: what of a cover can travel. */
@@ -29,9 +34,9 @@ export function solidName(solid: Solid): string {
 /** Tells one shape from every other. */
 export const solidKey = (solid: Solid): string => ("shape" in solid ? solid.shape : solid.key);
 
-/** Tells one style from another, as far as the curve is concerned. */
-export function styleName(style: Cover["style"]): string {
-  return style === null ? "" : typeof style === "string" ? style : style.name;
+/** Tells one style from every other. */
+function styleKey(style: Cover["style"]): string {
+  return style === null ? "" : typeof style === "string" ? style : (style.key ?? style.name);
 }
 
 export function wordsOf({ solid, style }: Cover): CoverWords {
@@ -53,11 +58,11 @@ const LOOK_SETTINGS = ["density", "style_strength", "style_size", "motif"] as co
 
 /** Tells apart wires on the same curve. */
 export function lookKey({ style }: Cover, value: (name: string) => string): string {
-  return [styleName(style), ...LOOK_SETTINGS.slice(0, style === null ? 1 : undefined).map(value)].join("|");
+  return [styleKey(style), ...LOOK_SETTINGS.slice(0, style === null ? 1 : undefined).map(value)].join("|");
 }
 
 /** Tells curves apart: two covers with the same one have the same curve. `value` gives a setting's value. */
 export function curveKey({ solid, style }: Cover, value: (name: string) => string): string {
-  const styled = value("flow") === "style" ? [styleName(style), ...STYLE_SETTINGS.map(value)] : [];
+  const styled = value("flow") === "style" ? [styleKey(style), ...STYLE_SETTINGS.map(value)] : [];
   return [solidKey(solid), ...CURVE_SETTINGS.map(value), ...styled].join("|");
 }

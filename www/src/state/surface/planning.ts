@@ -3,7 +3,9 @@
 import type { WireShape } from "../../embed/shape";
 import { presetOf } from "../address/fragment";
 import { deskOf, type Made } from "../keeping/document";
+import type { SettingValues } from "../../engine/protocol";
 import type { Coverer } from "../run/coverer";
+import type { Track } from "../run/track";
 import type { Options } from "../settings/options";
 import { tableOf, type Bench } from "../studio-state";
 import { curveKey, lookKey, solidKey, type Cover } from "./cover";
@@ -18,14 +20,22 @@ interface Keys {
 const keysOf = (cover: Cover, value: (name: string) => string): Keys => ({ solid: solidKey(cover.solid), curve: curveKey(cover, value), look: lookKey(cover, value) });
 
 export class Planning {
-  /** Of wires that were made. One from elsewhere is of what was there when it came. */
+  /** Of wires that were made. */
   private readonly keys = new WeakMap<Made, Keys>();
+  /** What a wire from elsewhere is of: what was there when it was asked for. */
+  private awaited: Pick<Track, "settings"> & { readonly cover: Cover | null } | null = null;
 
   constructor(
     private readonly bench: Bench,
     private readonly options: Options,
     private readonly coverer: Pick<Coverer, "follow" | "forget">,
   ) {}
+
+  /** A wire from elsewhere is on its way; what changes from now on is the person's doing. */
+  awaits(): void {
+    const { cover, desks } = this.bench.doc;
+    this.awaited = { cover, settings: desks.fill.settings };
+  }
 
   /** To be called after every change. `ahead`: a wire is on the stage that is not in the document yet. */
   follow(ahead: boolean): void {
@@ -39,10 +49,10 @@ export class Planning {
       return;
     }
     const now = keysOf(cover, (name) => this.options.value(name));
-    const made = ahead ? now : this.keysOfMade(now);
+    const made = ahead ? this.keysOfAwaited(now) : this.keysOfMade(now);
     const planned = made?.curve !== now.curve;
     this.plan(planned, !planned && made?.look !== now.look);
-    this.coverer.follow(busy ? null : { cover, settings, curve: planned ? now.curve : null });
+    this.coverer.follow({ cover, settings, curve: planned ? now.curve : null, running: busy });
   }
 
   /** What stands on the stage for the finished wire. */
@@ -54,6 +64,15 @@ export class Planning {
     return curve ?? (known && doc.cover && known.solid === solidKey(doc.cover.solid) ? made : null);
   }
 
+  /** What a wire covers; null where that is gone. */
+  coverOf(made: Made): Cover | null {
+    const { given } = made.track ?? {};
+    if (given?.job === "fill") return given.cover;
+    const { cover } = this.bench.doc;
+    const known = this.keys.get(made);
+    return cover && (!known || known.solid === solidKey(cover.solid)) ? cover : null;
+  }
+
   private plan(planned: boolean, restyled: boolean): void {
     const { store } = this.bench;
     const before = store.get();
@@ -62,16 +81,25 @@ export class Planning {
 
   /** Of the finished wire. */
   private keysOfMade(now: Keys): Keys | null {
-    const { doc, store } = this.bench;
-    const { made } = deskOf(doc);
+    const { made } = deskOf(this.bench.doc);
     if (!made) return null;
     let known = this.keys.get(made);
     if (!known) {
-      const { given, settings } = made.track ?? {};
-      const table = tableOf(store.get())!;
-      known = given?.job === "fill" ? keysOf(given.cover, (name) => settings![name] ?? presetOf(settings!, table)[name] ?? "") : now;
+      const { track } = made;
+      known = track?.given.job === "fill" ? this.keysOf(track.given.cover, track.settings) : this.keysOfAwaited(now);
+      if (!track) this.awaited = null;
       this.keys.set(made, known);
     }
     return known;
+  }
+
+  private keysOfAwaited(now: Keys): Keys {
+    const { cover, settings } = this.awaited ?? {};
+    return cover ? this.keysOf(cover, settings!) : now;
+  }
+
+  private keysOf(cover: Cover, settings: SettingValues): Keys {
+    const preset = presetOf(settings, tableOf(this.bench.store.get())!);
+    return keysOf(cover, (name) => settings[name] ?? preset[name] ?? "");
   }
 }

@@ -1,8 +1,8 @@
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../../embed/looks";
-import { addressed } from "../../state/address/address";
 import { nextTask } from "../../state/next-task";
+import { explain } from "../../state/words";
 import { deskOf, SLOTS, Studio, tableOf, type Job, type StudioState } from "../../state/studio";
 import { layout, NARROW } from "./app-layout";
 import type { EditRequest } from "../pads/drawing-pad";
@@ -20,6 +20,7 @@ import { actionOf, isTaken, type Action } from "./shortcuts";
 import { tabs, tabsStyle, type Tab } from "./tabs";
 import "./top-bar";
 import type { Subject } from "../../state/subject/subject";
+import { solidKey } from "../../state/surface/cover";
 import type { SubjectEvents } from "../subject/subject-events";
 import type { Heading } from "../../view/heading";
 import type { WireComparison } from "../run/wire-comparison";
@@ -86,7 +87,7 @@ export class WireApp extends LitElement {
           .job=${job}
           .look=${look.look}
           .room=${look.room}
-          .body=${job === "fill" ? now.surface : null}
+          .body=${this.body()}
           .through=${this.through}
           @look-change=${this.changeLook}
           @see-through=${this.seeThrough}
@@ -159,6 +160,14 @@ export class WireApp extends LitElement {
     return html`<shape-pad .studio=${studio} .state=${now}></shape-pad>
       <style-shelf .studio=${studio} .state=${now}></style-shelf>
       <fill-choices .studio=${studio} .state=${now}></fill-choices>`;
+  }
+
+  /** What the wire on the stage covers; while somebody looks back at a run over another shape, that is not at hand. */
+  private body() {
+    const { doc, surface, looking, track } = this.now;
+    if (doc.job !== "fill") return null;
+    const given = looking !== null && track?.given.job === "fill" ? track.given.cover : doc.cover;
+    return given && doc.cover && solidKey(given.solid) === solidKey(doc.cover.solid) ? surface : null;
   }
 
   private maskEditor(subject: Subject) {
@@ -241,10 +250,14 @@ export class WireApp extends LitElement {
     const before = this.now;
     this.now = now;
     this.live.state = now;
-    if (before.phase !== "idle" && now.phase === "idle") this.unseen = !document.hasFocus();
+    if (before.phase !== "idle" && now.phase === "idle") {
+      this.unseen = !document.hasFocus();
+      // What was looked through during the run stays so.
+      if (this.throughNow !== null) queueMicrotask(() => this.throughNow !== null && this.see(this.throughNow));
+    }
     if (hasJustMade(before, now)) this.stage.tour();
     if (now.doc.job !== before.doc.job) this.turnTo(now);
-    if (now.doc !== before.doc && (now.undo !== null || now.doc.job !== before.doc.job)) this.readdress(now);
+    if (now.doc !== before.doc && (now.undo !== null || now.doc.job !== before.doc.job)) this.readdress();
     this.retitle();
   }
 
@@ -252,13 +265,14 @@ export class WireApp extends LitElement {
     this.editing = null;
     this.brushing = false;
     this.throughNow = null;
-    void loadPartsOf(doc.job);
+    loadPartsOf(doc.job).catch((error: unknown) => this.studio.warn(explain(error, "This part of the page")));
     this.stage.flyTo("room");
   }
 
-  /** Settings show in the address as people change them. */
-  private readdress({ doc }: StudioState): void {
-    const hash = addressed(location.hash, doc);
+  /** Settings show in the address as people change them; a link that is being opened stays there. */
+  private readdress(): void {
+    if (this.studio.ahead) return;
+    const hash = this.studio.address(location.hash);
     if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname + location.search);
   }
 
@@ -296,11 +310,13 @@ export class WireApp extends LitElement {
     return this.throughNow ?? this.studio.options.value("hidden_lines") === "true";
   }
 
-  private readonly seeThrough = ({ detail }: CustomEvent<boolean>): void => {
+  private readonly seeThrough = (): void => this.see(!this.through);
+
+  private see(through: boolean): void {
     const idle = this.now.phase === "idle";
-    this.throughNow = idle ? null : detail;
-    if (idle) this.studio.options.set("hidden_lines", String(detail));
-  };
+    this.throughNow = idle ? null : through;
+    if (idle && through !== this.through) this.studio.options.set("hidden_lines", String(through));
+  }
 
   private readonly chooseMesh = async (): Promise<void> => {
     this.tab = "pictures";
