@@ -1,6 +1,6 @@
 /** What a screen reader hears of the page, at a bearable pace. */
 
-import { JOBS, type Phase, type StudioState } from "../../state/studio";
+import { JOBS, type Made, type Phase, type StudioState } from "../../state/studio";
 import { percent } from "../../state/words";
 import { compared } from "../run/compared";
 import { verdict } from "../run/verdict";
@@ -19,8 +19,10 @@ export function news(before: StudioState, now: StudioState): string {
     const { made, loose } = now.doc.desks[job];
     const { made: madeBefore, loose: looseBefore } = before.doc.desks[job];
     if (now.phase !== "idle") break;
-    if (made !== madeBefore && made?.source === "run") return `Done. ${verdict(made)}`;
-    if (loose !== looseBefore && loose && made) return `Done. ${compared(made, loose)}`;
+    // Of the run that was on the page, and not kept from before or brought back by undo.
+    const fresh = ({ track }: Made): boolean => track !== null && track === before.track;
+    if (made !== madeBefore && made?.source === "run" && fresh(made)) return `Done. ${verdict(made)}`;
+    if (loose !== looseBefore && loose && made && fresh(loose)) return `Done. ${compared(made, loose)}`;
   }
   if (now.said !== before.said && now.said) return now.said;
   if (now.phase !== before.phase) return PHASES[now.phase] || "The run has ended.";

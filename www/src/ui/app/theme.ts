@@ -5,6 +5,8 @@ import { remember, remembered } from "../../state/keeping/remember";
 export const THEMES = ["system", "light", "dark"] as const;
 export type Theme = (typeof THEMES)[number];
 
+export const nextTheme = (theme: Theme): Theme => THEMES[(THEMES.indexOf(theme) + 1) % THEMES.length]!;
+
 const systemDark = matchMedia("(prefers-color-scheme: dark)");
 
 export function theme(): Theme {

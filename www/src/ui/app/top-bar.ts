@@ -5,7 +5,7 @@ import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 import { jobTabs, jobTabsStyle } from "./job-tabs";
-import { chooseTheme, theme, THEMES, type Theme } from "./theme";
+import { chooseTheme, nextTheme, theme, type Theme } from "./theme";
 
 const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
 
@@ -74,8 +74,7 @@ export class TopBar extends Part {
   override render() {
     const { undo, redo, phase, running, doc } = this.state;
     const idle = phase === "idle";
-    const next = THEMES[(THEMES.indexOf(this.theme) + 1) % THEMES.length]!;
-    const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[next]}`;
+    const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[nextTheme(this.theme)]}`;
     return html`
       <h1>Wire<b>4D</b></h1>
       ${jobTabs(doc.job, running, (job) => this.studio.choose(job))}
@@ -83,10 +82,7 @@ export class TopBar extends Part {
         ${this.tool(icons.undo, undo ? `Undo: ${undo}` : "Undo", idle && undo !== null, () => this.studio.undo())}
         ${this.tool(icons.redo, redo ? `Redo: ${redo}` : "Redo", idle && redo !== null, () => this.studio.redo())}
         <button class="share" ?disabled=${!deskOf(doc).made || !idle} @click=${() => this.dispatchEvent(new Event("share"))}>${icons.share} Share</button>
-        ${this.tool(icons[this.theme], colours, true, () => {
-          chooseTheme(next);
-          this.theme = next;
-        })}
+        ${this.tool(icons[this.theme], colours, true, () => chooseTheme((this.theme = nextTheme(this.theme))))}
         ${this.tool(icons.help, "Help", true, () => this.dispatchEvent(new Event("help")))}
       </div>
     `;

@@ -255,7 +255,7 @@ export class PadEditor extends LitElement {
         <select
           @change=${(event: Event) => this.letter({ font: (event.target as HTMLSelectElement).value as Font })}
         >
-          ${Object.entries(FONTS).map(([name, { label }]) => html`<option value=${name} ?selected=${name === font}>${label}</option>`)}
+          ${Object.entries(FONTS).map(([name, { label }]) => html`<option value=${name} .selected=${name === font}>${label}</option>`)}
         </select>
       </label>
       ${segmented({

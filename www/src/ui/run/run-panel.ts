@@ -1,5 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { customElement, property } from "lit/decorators.js";
+import { customElement, property, query } from "lit/decorators.js";
 import { showsExample, type Studio, type StudioState } from "../../state/studio";
 import { timeLeft } from "../../state/words";
 import { count } from "../../view/count";
@@ -14,6 +14,9 @@ import { barStyle, controls } from "../shared/shared";
 export class RunPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
+  @query(".buttons") private buttons!: HTMLElement;
+  /** The button that has the focus. */
+  private pressed: Element | null = null;
 
   static override styles = [
     controls,
@@ -130,7 +133,7 @@ export class RunPanel extends Part {
     const { phase, progress } = this.state;
     const percent = Math.round(100 * progress.share);
     return html`
-      <div class="buttons ${phase === "idle" ? "" : "going"}">${phase === "idle" ? this.idle() : this.going()}</div>
+      <div class="buttons ${phase === "idle" ? "" : "going"}" role="group" aria-label="The run" tabindex="-1">${phase === "idle" ? this.idle() : this.going()}</div>
       <div class="bar" role="progressbar" aria-label="Progress of the run" aria-valuenow=${percent} aria-valuetext="${percent}%"><i></i></div>
       <p data-phase=${phase}>
         <span class="words">${this.words()}</span>
@@ -142,7 +145,13 @@ export class RunPanel extends Part {
     `;
   }
 
+  protected override willUpdate(): void {
+    this.pressed = this.shadowRoot?.activeElement ?? null;
+  }
+
   protected override updated(): void {
+    // Buttons come and go with the run. The focus stays among them, and on none: the next press of a key is not for another.
+    if (this.pressed && !this.pressed.isConnected) this.buttons.focus();
     this.style.setProperty("--share", String(this.state.progress.share));
   }
 
@@ -167,7 +176,7 @@ export class RunPanel extends Part {
       <button class="pause" ?disabled=${!fitting} @click=${() => this.studio.pause()}>
         ${phase === "paused" ? html`${icons.run} <span>Go on</span>` : html`${icons.pause} <span>Pause</span>`}
       </button>
-      <button class="pause stop" ?disabled=${phase === "finishing"} aria-label="Stop" title="Stop and keep the best so far" @click=${() => this.studio.stop()}>
+      <button class="pause stop" ?disabled=${phase === "finishing"} aria-label="Stop" title="Stop and keep the best so far" @click=${this.stop}>
         ${icons.stop} <span>Stop</span>
       </button>
       <button ?disabled=${!fitting} aria-label="Step" title="One step, then pause" @click=${() => this.studio.step()}>${icons.step} <span>Step</span></button>
@@ -209,6 +218,11 @@ export class RunPanel extends Part {
     const name = deviceOf(place);
     return html`<span class="device" data-backend=${place.backend} title="${name}. ${refusal || place.why}">${phase === "idle" ? `Will use: ${name}` : name}</span>`;
   }
+
+  /** It comes to lie where Run was: the second click of two is still meant for that. */
+  private readonly stop = ({ detail: clicks }: MouseEvent): void => {
+    if (clicks < 2) this.studio.stop();
+  };
 
   private readonly draw = (): void => {
     if (given(this.state) > 0) this.studio.startOver();

@@ -219,7 +219,7 @@ export class TimeLine extends Part {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
     this.playing = true;
     this.timer = setInterval(() => {
-      const { looking } = this.state;
+      const { looking } = this.studio.store.get();
       if (looking === null) this.rest();
       else this.look(looking + 1);
     }, SHOWN_EACH_MS);

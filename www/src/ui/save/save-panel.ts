@@ -98,7 +98,7 @@ export class SavePanel extends Part {
 
   override render() {
     const none = !deskOf(this.state.doc).made || this.state.phase !== "idle";
-    const views = this.state.views.length ? this.state.views.map(({ name }) => name) : ["front", "side", "top"];
+    const { views, shown } = this;
     return html`
       <h2>Save and share</h2>
       <button class="link" ?disabled=${none} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
@@ -113,7 +113,7 @@ export class SavePanel extends Part {
       <div class="svg">
         ${this.file({ format: "svg", name: "SVG", use: "Lines of one view" }, none)}
         <select aria-label="View of the SVG" ?disabled=${none} @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
-          ${views.map((name) => html`<option value=${name} ?selected=${name === this.view}>${viewWords(name)}</option>`)}
+          ${views.map((name) => html`<option value=${name} .selected=${name === shown}>${viewWords(name)}</option>`)}
         </select>
       </div>
       <details>
@@ -124,6 +124,16 @@ export class SavePanel extends Part {
         ? html`<p class="small quiet">This browser keeps nothing between visits; save your wire to a file or link.</p>`
         : nothing}
     `;
+  }
+
+  private get views(): readonly string[] {
+    const { views } = this.state;
+    return views.length ? views.map(({ name }) => name) : ["front", "side", "top"];
+  }
+
+  /** The view that an SVG draws: the one that was chosen last, if this wire has it. */
+  private get shown(): string {
+    return this.views.includes(this.view) ? this.view : this.views[0]!;
   }
 
   private carried(): string {
@@ -161,7 +171,7 @@ export class SavePanel extends Part {
 
   private async save(format: ExportFormat): Promise<void> {
     this.busy = format;
-    const view = this.state.views.some(({ name }) => name === this.view) ? this.view : (this.state.views[0]?.name ?? "front");
+    const view = this.shown;
     const blob = await this.studio.export(format, view);
     this.busy = "";
     if (blob) this.keep(blob, format === "svg" ? `-${view.replace(/[^\w-]+/g, "-")}.svg` : format === "bend.csv" ? "-bends.csv" : `.${format}`);

@@ -48,7 +48,7 @@ export class LookPanel extends Part {
         <label>
           Wire
           <select @change=${(event: Event) => this.choose((event.target as HTMLSelectElement).value as LookName, this.room)}>
-            ${LOOK_NAMES.map((name) => html`<option value=${name} ?selected=${name === this.look}>${WORDS[name]}</option>`)}
+            ${LOOK_NAMES.map((name) => html`<option value=${name} .selected=${name === this.look}>${WORDS[name]}</option>`)}
           </select>
         </label>
         <label class="switch">

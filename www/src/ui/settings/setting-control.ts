@@ -156,7 +156,7 @@ export class SettingControl extends LitElement {
     if (row.kind === "choice") {
       return html`<div class="value">
         <select id="control" aria-describedby="help" ?disabled=${locked} .value=${value} @change=${(event: Event) => this.choose((event.target as HTMLSelectElement).value)}>
-          ${(row.choices ?? []).map((choice) => html`<option value=${choice} ?selected=${choice === value}>${this.wordsOf(choice)}</option>`)}
+          ${(row.choices ?? []).map((choice) => html`<option value=${choice} .selected=${choice === value}>${this.wordsOf(choice)}</option>`)}
         </select>
       </div>`;
     }

@@ -76,7 +76,7 @@ interface ButtonState {
 
 /**
  * The stage with its controls. Tells `hold` when a person takes hold of the camera, and `look-change` with
- * `{ look, room }` when they change how the wire looks, and `see-through` with whether they want to see the far side.
+ * `{ look, room }` when they change how the wire looks, and `see-through` when they want to see the far side, or no more.
  */
 @customElement("wire-stage")
 export class WireStage extends Part {
@@ -321,10 +321,10 @@ export class WireStage extends Part {
           </div>
           <div class="group" role="group" aria-label="Look">
             <select aria-label="Look of the wire" title="Look of the wire" @change=${this.chooseLook}>
-              ${LOOK_NAMES.map((look) => html`<option value=${look} ?selected=${look === this.look}>${LOOK_WORDS[look]}</option>`)}
+              ${LOOK_NAMES.map((look) => html`<option value=${look} .selected=${look === this.look}>${LOOK_WORDS[look]}</option>`)}
             </select>
             ${this.square("room", "Room with the shadows", this.toggleRoom, { pressed: this.room })}
-            ${this.job === "fill" ? this.square("far", "Lines on the far side", () => this.tell("see-through", !this.through), { pressed: this.through }) : nothing}
+            ${this.job === "fill" ? this.square("far", "Lines on the far side", () => this.tell("see-through"), { pressed: this.through }) : nothing}
           </div>
         </div>
       </div>

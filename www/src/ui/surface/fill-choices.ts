@@ -151,7 +151,7 @@ export class FillChoices extends Part {
     const flow = this.studio.options.value("flow") || "smooth";
     return html`<select ?disabled=${this.state.phase !== "idle"} @change=${(event: Event) => this.studio.options.set("flow", (event.target as HTMLSelectElement).value)}>
       ${Object.entries(WORDS["flow"]!.choices!).map(
-        ([value, words]) => html`<option value=${value} ?selected=${value === flow} ?disabled=${value === "style" && !styled}>${words}</option>`,
+        ([value, words]) => html`<option value=${value} .selected=${value === flow} ?disabled=${value === "style" && !styled}>${words}</option>`,
       )}
     </select>`;
   }

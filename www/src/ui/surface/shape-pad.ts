@@ -109,7 +109,7 @@ export class ShapePad extends Part {
   protected override willUpdate(changed: PropertyValues<this>): void {
     const before = changed.get("state") as StudioState | undefined;
     // The same may go wrong twice.
-    if (before && before.dressing !== this.state.dressing) this.readProblem = "";
+    if (before && (before.dressing !== this.state.dressing || before.coverProblem !== this.state.coverProblem)) this.readProblem = "";
   }
 
   override render() {

@@ -38,7 +38,9 @@ export class StrandHistogram extends Part {
         stroke: var(--line-strong);
         stroke-width: 1;
       }
+      /* As the bars, which no direction of writing turns round. */
       figcaption {
+        direction: ltr;
         display: flex;
         justify-content: space-between;
         gap: 8px;

@@ -1,6 +1,6 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import { styleName, type PatternName } from "../../state/surface/cover";
+import type { PatternName } from "../../state/surface/cover";
 import type { Studio, StudioState } from "../../state/studio";
 import { pageColours } from "../../view/colours";
 import { paintInk } from "../../view/paint";
@@ -88,7 +88,7 @@ export class StyleShelf extends Part {
           this.studio.dressing.pattern(value === NONE ? null : (value as PatternName)),
         )}
         <button id="own" class=${own ? "chosen" : ""} ?disabled=${locked} @click=${() => this.file.click()}>
-          ${icons.picture}<span class="words" title=${own ? own.name : nothing}>${own ? styleName(own) : "Your own picture…"}</span>
+          ${icons.picture}<span class="words" title=${own ? own.name : nothing}>${own ? own.name : "Your own picture…"}</span>
         </button>
       </fieldset>
       <input id="picture" type="file" accept="image/*" hidden tabindex="-1" aria-label="Picture of a style" @change=${this.chosen} />
