@@ -98,10 +98,11 @@ fn round_a_sphere() -> Wire {
 fn a_drawing_leaves_out_what_a_solid_hides() {
     let (wire, sphere) = (round_a_sphere(), Shape::named("sphere").unwrap().mesh());
     for view in [View::canonical(2.2, 256)[0].clone(), wires::perspective().with_size(320, 256)] {
-        // The depths are coarser than the drawing's: strands along the silhouette end elsewhere by a pixel.
-        let occluder = Occluder { steepness: 300.0, ..Occluder::new(Depths::render(&sphere, &view).widened()) };
-        let shown = render_seen(&wire, &view, &occluder);
-        let text = svg(&wire, &view, Some(&sphere), &SvgOptions::default());
+        let occluder = |view: &View| Occluder::new(Depths::render(&sphere, view).widened());
+        let shown = render_seen(&wire, &view, &occluder(&view));
+        // With finer depths strands along the silhouette end elsewhere by a pixel.
+        let finer = occluder(&view.with_size(3 * view.width_px, 3 * view.height_px));
+        let text = svg(&wire, &view, Some(&finer), &SvgOptions::default());
         let all = svg(&wire, &view, None, &SvgOptions::default());
         let [hidden, bare] = [&text, &all].map(|text| rms(&draw(text, view.width_px, view.height_px), &shown));
         assert!(hidden < 0.03 && bare > 0.1, "{}: differs by {hidden}, with the far side by {bare}", view.name);

@@ -3,7 +3,7 @@
 use super::{SvgOptions, TubeOptions, bend_csv, glb, obj, stl, svg, tube};
 use crate::mesh::Mesh;
 use crate::sculpture::{Sculpture, Strand, strands};
-use crate::view::View;
+use crate::view::{Occluder, View};
 use crate::{Error, Result};
 use serde_json::json;
 
@@ -127,7 +127,8 @@ pub fn export(
         Format::Svg => {
             let [front, ..] = View::canonical(2.2, 256);
             let view = view.or(sculpture.views.first()).unwrap_or(&front);
-            svg(&sculpture.wire, view, solid, &options.svg).into_bytes()
+            svg(&sculpture.wire, view, solid.map(|solid| hiding(sculpture, solid, view)).as_ref(), &options.svg)
+                .into_bytes()
         }
         Format::BendCsv => {
             let (mm_per_world, _) = scale(&strands, options.object_size_mm, 0.0);
@@ -135,6 +136,17 @@ pub fn export(
         }
         Format::WireJson => sculpture.to_json().into_bytes(),
     })
+}
+
+/// Depths of a solid along a drawing's longer side: strands end close to the solid's own outline.
+const DEPTHS: f64 = 1024.0;
+/// Of the solid's edge in drawings, per world unit: sharper than a fit has use for, or strands would end in long hairs.
+const STEEPNESS: f32 = 300.0;
+
+fn hiding(sculpture: &Sculpture, solid: &Mesh, view: &View) -> Occluder {
+    let finer = DEPTHS / view.width_px.max(view.height_px) as f64;
+    let [width, height] = [view.width_px, view.height_px].map(|px| (px as f64 * finer).round().max(1.0) as usize);
+    Occluder { steepness: STEEPNESS, ..sculpture.hidden_by(solid, &view.with_size(width, height)) }
 }
 
 /// What the GLB says about its making.

@@ -5,7 +5,6 @@
 //! whole numbers of a tenth of a pixel, each relative to the last, which keeps the file small. Strands that go behind the
 //! solid which the wire covers taper off to nothing ([`Occluder`]).
 
-use crate::mesh::{Depths, Mesh};
 use crate::sculpture::strands;
 use crate::view::{Occluder, View};
 use crate::wire::Wire;
@@ -38,22 +37,11 @@ const BEND_RADII: f64 = 1.25;
 const MAX_SKIP: usize = 64;
 /// Thinner than this shows nowhere.
 const INVISIBLE_RADIUS_PX: f64 = 0.005;
-/// Depths of the solid along the picture's longer side: strands end close to the solid's own outline.
-const DEPTHS: f64 = 1024.0;
-/// Of the surface's edge, per world unit: sharper than a fit has use for, or strands would end in long hairs.
-const STEEPNESS: f32 = 300.0;
 
-/// The text of the file; its `viewBox` is the view's picture in px, y down, ink black. What lies behind `solid` is left out.
-pub fn svg(wire: &Wire, view: &View, solid: Option<&Mesh>, options: &SvgOptions) -> String {
+/// The text of the file; its `viewBox` is the view's picture in px, y down, ink black. What `occluder` hides is left out; it
+/// may be finer or coarser than the view's picture.
+pub fn svg(wire: &Wire, view: &View, occluder: Option<&Occluder>, options: &SvgOptions) -> String {
     let camera = view.camera::<f64>();
-    let finer = DEPTHS / view.width_px.max(view.height_px) as f64;
-    let occluder = solid.map(|solid| {
-        let [width, height] = [view.width_px, view.height_px].map(|px| (px as f64 * finer).round().max(1.0) as usize);
-        Occluder {
-            steepness: STEEPNESS,
-            ..Occluder::new(Depths::render(solid, &view.with_size(width, height)).widened())
-        }
-    });
     let (width, height) = (view.width_px, view.height_px);
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n"
@@ -66,8 +54,11 @@ pub fn svg(wire: &Wire, view: &View, solid: Option<&Mesh>, options: &SvgOptions)
     for strand in strands(wire, SAMPLES_PER_SPAN) {
         let project = |p: &[f64; 4]| {
             let [x, y, radius] = camera.project(p);
-            let seen = |occluder: &Occluder| occluder.visibility([x * finer, y * finer], camera.depth(p));
-            let visibility = occluder.as_ref().map_or(1.0, seen);
+            let visibility = occluder.map_or(1.0, |occluder| {
+                let across = occluder.depth.width as f64 / width as f64;
+                let down = occluder.depth.height as f64 / height as f64;
+                occluder.visibility([x * across, y * down], camera.depth(p))
+            });
             Disc { centre: DVec2::new(x, y), radius: radius * visibility }
         };
         let mut discs: Vec<Disc> = strand.points.iter().map(project).collect();

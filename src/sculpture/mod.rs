@@ -7,7 +7,9 @@ mod render;
 pub use file::{FORMAT_VERSION, MAX_FILE_BYTES};
 pub use render::{SAMPLES_PER_SPAN, render, render_sampled, render_seen};
 
-use crate::{view::View, wire::Wire};
+use crate::mesh::{Depths, Mesh};
+use crate::view::{Occluder, View};
+use crate::wire::Wire;
 use serde::{Deserialize, Serialize};
 
 /// A wire with its views and its origin; what `wire.json` holds.
@@ -19,6 +21,22 @@ pub struct Sculpture {
     pub views: Vec<View>,
     /// How it was made.
     pub made_with: MadeWith,
+}
+
+impl Sculpture {
+    /// What `solid`, which the wire covers, hides in `view`: as softly as the settings say that it was made with.
+    pub fn hidden_by(&self, solid: &Mesh, view: &View) -> Occluder {
+        let set = |name: &str| self.made_with.settings.get(name).and_then(|value| value.as_f64());
+        let mut occluder = Occluder::new(Depths::render(solid, view).widened());
+        // Within what the settings allow: the file may come from anywhere.
+        if let Some(steepness) = set("visibility") {
+            occluder.steepness = steepness.clamp(1.0, 1000.0) as f32;
+        }
+        if let Some(bias_world) = set("visibility_bias") {
+            occluder.bias_world = bias_world.clamp(0.0, 0.5) as f32;
+        }
+        occluder
+    }
 }
 
 /// How a wire was made: enough to make it again from the same input.

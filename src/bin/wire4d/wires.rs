@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wire4d::export::{self, ExportOptions, Format};
 use wire4d::files::{read_at_most, write_whole};
-use wire4d::mesh::{Depths, Mesh};
+use wire4d::mesh::Mesh;
 use wire4d::metrics::ResultReport;
 use wire4d::picture::{GreyDepth, read_picture, write_png};
 use wire4d::raster::{SELF_CHECK_TOLERANCE, self_check};
@@ -14,7 +14,7 @@ use wire4d::scene::{self, SceneJob};
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::Drawing;
-use wire4d::view::{MAX_PICTURE_PX, Occluder, View, ViewSpec};
+use wire4d::view::{MAX_PICTURE_PX, View, ViewSpec};
 use wire4d::wire::MAX_CONTROL_POINTS;
 use wire4d::{Error, Result};
 
@@ -29,10 +29,7 @@ pub fn render(matches: &ArgMatches) -> Result<()> {
     let view = view.with_size(side(view.width_px), side(view.height_px));
     let out = args::path(matches, "out");
     let picture = match solid(matches)? {
-        Some(solid) => {
-            let occluder = Occluder::new(Depths::render(&solid, &view).widened());
-            sculpture::render_seen(&made.wire, &view, &occluder)
-        }
+        Some(solid) => sculpture::render_seen(&made.wire, &view, &made.hidden_by(&solid, &view)),
         None => sculpture::render(&made.wire, &view),
     };
     write_png(out, &picture, GreyDepth::Bits16)?;
@@ -65,6 +62,9 @@ pub fn export(matches: &ArgMatches) -> Result<()> {
     let format = Format::from_path(&to.to_string_lossy())?;
     let made = read_wire(args::path(matches, "wire"))?;
     let (view, solid) = (view_of(&made, matches)?, solid(matches)?);
+    if solid.is_some() && format != Format::Svg {
+        return Err(Error::setting("--covers", "is for drawings", "leave it out, or write an .svg"));
+    }
     write_whole(to, &export::export(&made, format, Some(&view), solid.as_deref(), &ExportOptions::default())?)?;
     println!("{}", to.display());
     Ok(())
