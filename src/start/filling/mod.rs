@@ -117,7 +117,8 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
         let remedy = "use a finer spacing or scale the mesh up";
         return Err(Error::input("mesh", "has no part large enough to hold a line", remedy));
     }
-    let lines = stitch::stitched(&surface, &lines, spacing);
+    let stitching = &mut |share: f64| progress(0.35 + 0.05 * share as f32);
+    let Some(lines) = stitch::stitched(&surface, &lines, spacing, stitching) else { return Ok(None) };
     let relaxing = &mut |share: f64| progress(0.4 + 0.6 * share as f32);
     let Some(lines) = relax::relaxed(&surface, &lines, spacing, options.rounds, relaxing) else { return Ok(None) };
     let line = parts::joined(&lines, spacing);
