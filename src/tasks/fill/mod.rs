@@ -20,12 +20,13 @@ use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::model::Mended;
 use crate::objective::Texture;
-use crate::optimize::{Problem, Seen, Session, Surface, WidthBounds, wait};
+use crate::optimize::{Problem, Seen, Session, Surface, wait};
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
 use crate::start::{self, FillOptions, Filling, Guide, Method};
 use crate::view::{Image, Target};
 use crate::wire::Wire;
+use first::width_bounds;
 use motif::Motif;
 use std::sync::Arc;
 
@@ -136,6 +137,7 @@ fn planned(given: &Given, filling: Filling, texture: Option<Arc<Texture>>, setti
     if given.style_asked(settings).is_some() && texture.is_none() {
         notes.push("the style is too small in the views for its texture to show: only its tones are used".to_owned());
     }
+    notes.extend(first::width_note(settings));
     let mut plan = Plan {
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
@@ -170,11 +172,6 @@ fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions 
 fn world_per_px(settings: &Settings) -> f64 {
     let view = &looks::sides(settings.size)[0];
     1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
-}
-
-fn width_bounds(settings: &Settings) -> WidthBounds {
-    let px = world_per_px(settings) * settings.size as f64 / 256.0;
-    WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px }
 }
 
 impl Plan {
