@@ -24,6 +24,11 @@ impl Task {
     }
 
     fn has(self, row: &Setting) -> bool {
+        match (row.name, self) {
+            // A curve that covers a mesh chooses its own points, and only drawings grow a tree or a hull in a grid.
+            ("spacing", Task::Fill) | ("shorter" | "grid", Task::Stroke | Task::Fill) => return false,
+            _ => {}
+        }
         match (self, row.group) {
             (_, Group::Run | Group::Wire | Group::Fit | Group::Expert) => true,
             (Task::Multiview, group) => group == Group::Views,
@@ -70,8 +75,19 @@ impl Task {
     /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
     ///
     /// # Errors
-    /// As [`Settings::set`] and [`Task::check`].
+    /// As [`Settings::set`] and [`Task::check`], and [`Error::Setting`] for a setting that this task does not have.
     pub fn settings<'a>(self, pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
+        for (name, _) in pairs.clone() {
+            let is_named = |row: &&Setting| row.name == name.replace('-', "_");
+            let foreign = |row: &Setting| !self.has(row) && self.choices(row.name).is_none();
+            if TABLE.iter().find(is_named).is_some_and(foreign) {
+                return Err(Error::setting(
+                    name,
+                    "is for another kind of task and would do nothing here",
+                    "leave it out",
+                ));
+            }
+        }
         let settings = Settings::from_pairs_over(self.presets(), pairs)?;
         self.check(&settings)?;
         Ok(settings)
@@ -97,6 +113,11 @@ mod tests {
         assert_eq!(of(Task::Stroke, "density"), None);
         assert!(of(Task::Fill, "density").is_some());
         assert_eq!(of(Task::Stroke, "may_swap"), None);
+        for name in ["spacing", "shorter", "grid"] {
+            assert!(of(Task::Multiview, name).is_some());
+            assert_eq!(of(Task::Fill, name), None, "a curve over a mesh asks for no {name}");
+        }
+        assert!(of(Task::Stroke, "spacing").is_some());
         assert_eq!(of(Task::Stroke, "size"), of(Task::Multiview, "size"));
         assert_ne!(of(Task::Stroke, "start"), of(Task::Multiview, "start"));
         for task in [Task::Multiview, Task::Stroke, Task::Fill] {
@@ -104,6 +125,23 @@ mod tests {
                 task.check(&task.preset(preset)).unwrap();
             }
         }
+    }
+
+    #[test]
+    fn a_setting_of_another_task_is_refused_by_its_name() {
+        let foreign = [
+            (Task::Fill, "object", "3"),
+            (Task::Fill, "hatch", "5"),
+            (Task::Fill, "grid", "64"),
+            (Task::Stroke, "may-swap", "on"),
+            (Task::Stroke, "shorter", "on"),
+            (Task::Multiview, "density", "0.2"),
+        ];
+        for (task, name, value) in foreign {
+            let error = task.settings([(name, value)]).unwrap_err().to_string();
+            assert!(error.starts_with(&format!("{name}: is for another kind of task")), "{error}");
+        }
+        assert!(Task::Fill.settings([("densitty", "3")]).unwrap_err().to_string().contains("did you mean density?"));
     }
 
     #[test]

@@ -43,6 +43,8 @@ pub enum Method {
 /// How to fill a mesh.
 #[derive(Debug)]
 pub struct FillOptions {
+    /// What the person calls the mesh.
+    pub name: String,
     /// Distance between neighbouring strands, world units, in [`SPACINGS_WORLD`].
     pub spacing_world: f64,
     /// Width of the curve, world units.
@@ -60,6 +62,7 @@ pub struct FillOptions {
 impl Default for FillOptions {
     fn default() -> Self {
         FillOptions {
+            name: "mesh".into(),
             spacing_world: 0.06,
             width_world: 0.01,
             guide: Guide::Smooth,
@@ -85,8 +88,8 @@ pub struct Filling {
 /// there is no result.
 ///
 /// # Errors
-/// [`Error::Setting`] for `curve_spacing` out of range or too fine for the mesh, and [`Error::Input`] if no part of the
-/// mesh is large enough to hold a closed line.
+/// [`Error::Setting`] for `curve_spacing` out of range or too fine for the mesh, and [`Error::Input`] if the mesh is too
+/// fine for any spacing, or no part of it is large enough to hold a closed line.
 pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) -> bool) -> Result<Option<Filling>> {
     let spacing = options.spacing_world;
     if !SPACINGS_WORLD.contains(&spacing) {
@@ -94,7 +97,7 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
         let remedy = format!("use {low} to {high}");
         return Err(Error::setting("curve_spacing", format!("{spacing} is out of range"), remedy));
     }
-    let surface = Surface::new(mesh, spacing / 2.0)?;
+    let surface = Surface::named(&options.name, mesh, spacing / 2.0)?;
     if !progress(0.1) {
         return Ok(None);
     }
@@ -114,10 +117,13 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
     covered.sort_unstable();
     covered.dedup();
     if covered.is_empty() {
-        let remedy = "use a finer spacing or scale the mesh up";
-        return Err(Error::input("mesh", "has no part large enough to hold a line", remedy));
+        // A mesh is as large as fits: only what lies far off makes its parts small.
+        let join = "join the parts that touch, or leave out what lies far from the rest";
+        let lower = if spacing > *SPACINGS_WORLD.start() { "lower curve_spacing, " } else { "" };
+        return Err(Error::input(&options.name, "has no part large enough to hold a line", format!("{lower}{join}")));
     }
-    let lines = stitch::stitched(&surface, &lines, spacing);
+    let stitching = &mut |share: f64| progress(0.35 + 0.05 * share as f32);
+    let Some(lines) = stitch::stitched(&surface, &lines, spacing, stitching) else { return Ok(None) };
     let relaxing = &mut |share: f64| progress(0.4 + 0.6 * share as f32);
     let Some(lines) = relax::relaxed(&surface, &lines, spacing, options.rounds, relaxing) else { return Ok(None) };
     let line = parts::joined(&lines, spacing);

@@ -1,7 +1,7 @@
 //! Closed lines joined into one: where two run side by side both are cut and the ends joined across the band between
 //! them, which leaves two hairpins that face each other. Two different lines so joined are always one line.
 
-use super::strand::{Node, SAME_SIDE, Strand, Strands};
+use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands};
 use super::surface::{Classes, Surface};
 
 /// How far a place for a join reaches for the other line, in spacings, at first and when nothing else is left.
@@ -12,16 +12,27 @@ const CLEARANCE: [f64; 4] = [3.0, 1.5, 0.8, 0.0];
 pub const NODES_A_SPACING: f64 = 4.0;
 
 /// Joins the lines of every part of the surface by way of the calmest places. The lines are resampled, several nodes a
-/// spacing.
-pub fn stitched(surface: &Surface, lines: &[Strand], spacing: f64) -> Vec<Strand> {
+/// spacing. `progress` is told the share that is done and stops everything by returning false: then there is no result.
+pub fn stitched(
+    surface: &Surface,
+    lines: &[Strand],
+    spacing: f64,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Option<Vec<Strand>> {
     let lines: Vec<Strand> = lines.iter().map(|line| resampled(surface, line, spacing)).collect();
     let strands = Strands::new(&lines);
     let count = strands.nodes.len();
-    let part_of = strands.nodes.iter().map(|node| surface.part(node.triangle)).collect();
-    let mut work = Stitching { strands, part_of, spacing, removed: vec![false; count], near_cut: vec![false; count] };
+    let mut parts = vec![Vec::new(); surface.parts];
+    for (i, node) in strands.nodes.iter().enumerate() {
+        parts[surface.part(node.triangle) as usize].push(i as u32);
+    }
+    let mut work = Stitching { strands, parts, spacing, removed: vec![false; count], near_cut: vec![false; count] };
     let mut classes = Classes::new(lines.len());
     let mut joins: Vec<Node> = Vec::new();
-    for (reach, clearance) in REACH.into_iter().zip(CLEARANCE) {
+    for (round, (reach, clearance)) in REACH.into_iter().zip(CLEARANCE).enumerate() {
+        if !progress(round as f64 / REACH.len() as f64) {
+            return None;
+        }
         for nodes in work.places(&mut classes, reach * spacing) {
             let [a, b] = nodes.map(|i| work.strands.strand_of[i as usize] as usize);
             let node = work.strands.nodes[nodes[0] as usize];
@@ -38,7 +49,7 @@ pub fn stitched(surface: &Surface, lines: &[Strand], spacing: f64) -> Vec<Strand
             }
         }
     }
-    work.strands.walked(&work.removed)
+    Some(work.strands.walked(&work.removed))
 }
 
 /// As [`super::strand::resampled`] at the step that joins and relaxation use.
@@ -49,8 +60,8 @@ pub fn resampled(surface: &Surface, line: &[Node], spacing: f64) -> Strand {
 /// Lines in the middle of being joined.
 struct Stitching {
     strands: Strands,
-    /// The part of the surface that each node lies on.
-    part_of: Vec<u32>,
+    /// The nodes that lie on each part of the surface.
+    parts: Vec<Vec<u32>>,
     spacing: f64,
     /// Nodes that no line holds any more.
     removed: Vec<bool>,
@@ -63,32 +74,34 @@ impl Stitching {
     fn places(&self, classes: &mut Classes, reach: f64) -> Vec<[u32; 2]> {
         let strands = &self.strands;
         let class_of: Vec<usize> = strands.strand_of.iter().map(|&name| classes.of(name as usize)).collect();
-        if class_of.iter().all(|&class| class == class_of[0]) {
-            return Vec::new();
-        }
-        let grid = strands.grid(reach);
         let bends: Vec<f64> = (0..strands.nodes.len()).map(|i| self.bend(i)).collect();
         let mut places: Vec<(f64, [u32; 2])> = Vec::new();
-        for (i, node) in strands.nodes.iter().enumerate().filter(|&(i, _)| !self.removed[i]) {
-            let along = strands.tangent(i);
-            for side in [-1.0, 1.0] {
-                let across = side * node.normal.cross(along);
-                let mut best = (f64::INFINITY, 0);
-                grid.near(node.point, reach, |j, squared| {
-                    let other = &strands.nodes[j as usize];
-                    let faces = (other.point - node.point).dot(across) > 0.7 * squared.sqrt();
-                    let same_side = other.normal.dot(node.normal) > SAME_SIDE;
-                    let here = !self.removed[j as usize] && self.part_of[j as usize] == self.part_of[i];
-                    if here && faces && same_side && (squared, j) < best {
-                        best = (squared, j);
+        let is_split = |part: &&Vec<u32>| part.iter().any(|&i| class_of[i as usize] != class_of[part[0] as usize]);
+        // Part by part: many that lie in one place cost no more than apart.
+        for part in self.parts.iter().filter(is_split) {
+            let here: Vec<u32> = part.iter().copied().filter(|&i| !self.removed[i as usize]).collect();
+            let grid = Grid::new(here.iter().map(|&i| strands.nodes[i as usize].point), reach);
+            for i in here.iter().map(|&i| i as usize) {
+                let (node, along) = (&strands.nodes[i], strands.tangent(i));
+                for side in [-1.0, 1.0] {
+                    let across = side * node.normal.cross(along);
+                    let mut best = (f64::INFINITY, 0);
+                    grid.near(node.point, reach, |k, squared| {
+                        let j = here[k as usize];
+                        let other = &strands.nodes[j as usize];
+                        let faces = (other.point - node.point).dot(across) > 0.7 * squared.sqrt();
+                        let same_side = other.normal.dot(node.normal) > SAME_SIDE;
+                        if faces && same_side && (squared, j) < best {
+                            best = (squared, j);
+                        }
+                    });
+                    let j = best.1 as usize;
+                    if best.0.is_finite() && class_of[i] < class_of[j] {
+                        let apart = (best.0.sqrt() / self.spacing - 1.0).abs();
+                        let turned = 1.0 - along.dot(strands.tangent(j)).abs();
+                        let fold = 1.0 - node.normal.dot(strands.nodes[j].normal);
+                        places.push((apart + 2.0 * turned + fold + bends[i] + bends[j], [i as u32, best.1]));
                     }
-                });
-                let j = best.1 as usize;
-                if best.0.is_finite() && class_of[i] < class_of[j] {
-                    let apart = (best.0.sqrt() / self.spacing - 1.0).abs();
-                    let turned = 1.0 - along.dot(strands.tangent(j)).abs();
-                    let fold = 1.0 - node.normal.dot(strands.nodes[j].normal);
-                    places.push((apart + 2.0 * turned + fold + bends[i] + bends[j], [i as u32, best.1]));
                 }
             }
         }
@@ -154,17 +167,42 @@ mod tests {
     use super::super::strand::length;
     use super::super::testing::{circle, sheet};
     use super::*;
+    use crate::mesh::Mesh;
 
     #[test]
     fn rings_become_one_line_as_long_as_they_were() {
         let surface = Surface::new(&sheet(30), 0.025).unwrap();
         let rings: Vec<Strand> = (1..9).map(|k| circle(&surface, [0.0, 0.0], 0.05 * f64::from(k) + 0.01)).collect();
-        let line = stitched(&surface, &rings, 0.05);
+        let line = stitched(&surface, &rings, 0.05, &mut |_| true).unwrap();
         assert_eq!(line.len(), 1);
         let before: f64 = rings.iter().map(|ring| length(ring)).sum();
         assert!((length(&line[0]) / before - 1.0).abs() < 0.03, "{} from {before}", length(&line[0]));
         assert!(Strands::new(&line).crossings(0.05).is_empty());
         let far = [circle(&surface, [-0.3, 0.0], 0.1), circle(&surface, [0.3, 0.0], 0.1)];
-        assert_eq!(stitched(&surface, &far, 0.05).len(), 2, "what is far apart stays apart");
+        let far = stitched(&surface, &far, 0.05, &mut |_| true).unwrap();
+        assert_eq!(far.len(), 2, "what is far apart stays apart");
+    }
+
+    #[test]
+    fn parts_that_lie_in_one_place_are_each_joined_and_only_to_themselves() {
+        // Sheets on top of each other, two rings on each.
+        let sheets = 2000;
+        let one = sheet(2);
+        let count = one.positions().len() as u32;
+        let positions = (0..sheets).flat_map(|_| one.positions().to_vec()).collect();
+        let triangles = (0..sheets).flat_map(|k| one.triangles().iter().map(move |t| t.map(|v| v + k * count)));
+        let mesh = Mesh::new("sheets", positions, triangles.collect()).unwrap();
+        let surface = Surface::new(&mesh, 1.0).unwrap();
+        let each = surface.triangles.len() as u32 / sheets;
+        let own = Surface::new(&one, 1.0).unwrap();
+        let rings = [0.2, 0.35].map(|radius| resampled(&own, &circle(&own, [0.0, 0.0], radius), 0.2));
+        let on = |k: u32| move |node: &Node| Node { triangle: node.triangle + k * each, ..*node };
+        let rings = (0..sheets).flat_map(|k| rings.iter().map(move |ring| ring.iter().map(on(k)).collect()));
+        let rings: Vec<Strand> = rings.collect();
+        let begin = std::time::Instant::now();
+        let lines = stitched(&surface, &rings, 0.15, &mut |_| true).unwrap();
+        assert_eq!(lines.len(), sheets as usize);
+        assert!(begin.elapsed().as_secs() < 10, "{:?}", begin.elapsed());
+        assert_eq!(stitched(&surface, &rings, 0.15, &mut |share| share < 0.5), None);
     }
 }

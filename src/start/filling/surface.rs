@@ -1,5 +1,6 @@
 //! A mesh cut where it is not a surface, refined until a line every spacing can be told on it.
 
+use super::SPACINGS_WORLD;
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 use glam::DVec3;
@@ -43,18 +44,27 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// `mesh` with no edge longer than `longest`.
+    /// As [`Surface::named`], of a mesh without a name.
     ///
     /// # Errors
-    /// [`Error::Setting`] for `curve_spacing` if that takes too many triangles.
+    /// As [`Surface::named`].
     pub fn new(mesh: &Mesh, longest: f64) -> Result<Surface> {
+        Surface::named("mesh", mesh, longest)
+    }
+
+    /// `mesh`, which the person calls `name`, with no edge longer than `longest`.
+    ///
+    /// # Errors
+    /// If that takes too many triangles: [`Error::Setting`] for `curve_spacing` where a coarser one would do, else
+    /// [`Error::Input`].
+    pub fn named(name: &str, mesh: &Mesh, longest: f64) -> Result<Surface> {
         let points: Vec<DVec3> = mesh.positions().iter().map(|&p| DVec3::from(p)).collect();
         let whole = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
         let triangles: Vec<[u32; 3]> = mesh.triangles().iter().copied().filter(whole).collect();
         let mut surface = Surface { points, triangles, ..Surface::default() };
         let needed = surface.triangles.len() as f64 + TRIANGLES_A_SQUARE * surface.area() / (longest * longest);
         if needed > MOST_TRIANGLES as f64 {
-            return Err(too_fine(longest * (needed / MOST_TRIANGLES as f64).sqrt()));
+            return Err(too_fine(name, longest * (needed / MOST_TRIANGLES as f64).sqrt()));
         }
         surface.pair_triangles();
         surface.cut();
@@ -64,7 +74,7 @@ impl Surface {
                 break;
             }
             if surface.triangles.len() > MOST_TRIANGLES {
-                return Err(too_fine(2.0 * longest));
+                return Err(too_fine(name, 2.0 * longest));
             }
         }
         surface.find_fans();
@@ -339,8 +349,13 @@ impl Surface {
     }
 }
 
-fn too_fine(longest: f64) -> Error {
+/// Refuses a mesh of which no edge may be longer than wanted, only than `longest`.
+fn too_fine(name: &str, longest: f64) -> Error {
     let works = (2.0 * longest * 1000.0).ceil() / 1000.0;
+    if works > *SPACINGS_WORLD.end() {
+        let problem = "has too many triangles, or too many long thin ones, to be covered";
+        return Error::input(name, problem, "remesh or decimate it to fewer triangles of even size");
+    }
     Error::setting("curve_spacing", "is too fine for this mesh", format!("use {works} or more"))
 }
 
@@ -463,12 +478,25 @@ mod tests {
 
     #[test]
     fn what_is_too_fine_is_refused_with_what_works() {
-        let huge: Vec<[f64; 3]> =
-            super::super::testing::sheet(1).positions().iter().map(|p| p.map(|c| 1e3 * c)).collect();
-        let mesh = Mesh::new("huge", huge, vec![[0, 1, 3]]).unwrap();
-        let error = Surface::new(&mesh, 0.03).unwrap_err().to_string();
+        let refused = |factor: f64| {
+            let large = super::super::testing::sheet(1).positions().iter().map(|p| p.map(|c| factor * c)).collect();
+            let mesh = Mesh::new("large", large, vec![[0, 1, 3]]).unwrap();
+            Surface::named("large.obj", &mesh, 0.03).unwrap_err().to_string()
+        };
+        let error = refused(50.0);
         assert!(error.starts_with("curve_spacing: is too fine"), "{error}");
         let works: f64 = error.split("use ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-        assert!(works > 1.0 && works < 4.0, "{works}");
+        assert!(works > 0.06 && works <= 0.2, "{works}");
+        assert!(refused(1e3).starts_with("large.obj: has too many triangles"), "no spacing that is allowed would do");
+    }
+
+    #[test]
+    fn needles_without_end_are_the_meshs_fault() {
+        let ends = (0..100_000u32).map(|k| f64::from(k) * 1e-6);
+        let positions = ends.flat_map(|y| [[-1.0, y, 0.0], [1.0, y, 0.0], [1.0, y + 1e-7, 0.0]]).collect();
+        let triangles = (0..100_000).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let mesh = Mesh::new("needles", positions, triangles).unwrap();
+        let error = Surface::named("needles.obj", &mesh, 0.075).unwrap_err().to_string();
+        assert!(error.starts_with("needles.obj: ") && error.contains("long thin"), "{error}");
     }
 }

@@ -9,6 +9,7 @@ mod asked;
 mod first;
 mod looks;
 mod motif;
+mod texture;
 
 use super::engine::engine;
 use super::fit::recipe;
@@ -18,13 +19,14 @@ use crate::Result;
 use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::model::Mended;
-use crate::objective::{Texture, TextureOptions};
-use crate::optimize::{Problem, Seen, Session, Surface, WidthBounds, wait};
+use crate::objective::Texture;
+use crate::optimize::{Problem, Seen, Session, Surface, wait};
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
 use crate::start::{self, FillOptions, Filling, Guide, Method};
 use crate::view::{Image, Target};
 use crate::wire::Wire;
+use first::width_bounds;
 use motif::Motif;
 use std::sync::Arc;
 
@@ -65,8 +67,6 @@ pub struct Plan {
     notes: Vec<String>,
 }
 
-/// Views in which any style's lines are large enough, px a side.
-const LARGE_PX: usize = 512;
 /// Share of the positions' step size where no style asks strands to bend: the density is a matter of width.
 const STILL: f64 = 0.1;
 /// Weight of the texture at full strength: beside a motif it only helps, else it has to say it all.
@@ -90,6 +90,16 @@ impl Given {
     fn motif(&self, settings: &Settings) -> Option<Arc<Motif>> {
         self.style.as_ref().map(|style| Arc::new(Motif::new(style, settings)))
     }
+
+    /// The style, if it is to count.
+    fn style_asked(&self, settings: &Settings) -> Option<&Style> {
+        self.style.as_ref().filter(|_| settings.style_strength > 0.0)
+    }
+
+    fn texture(&self, settings: &Settings) -> Result<Option<Arc<Texture>>> {
+        let Some(style) = self.style_asked(settings) else { return Ok(None) };
+        Ok(texture::texture(style, settings)?.map(Arc::new))
+    }
 }
 
 /// Covers the mesh and says what it should show. `progress` is told how much is done, 0 to 1, and stops it by returning
@@ -98,35 +108,36 @@ impl Given {
 /// # Errors
 /// As [`cover`] and [`plan_over`].
 pub fn plan(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Option<Plan>> {
-    cover(given, settings, progress)?.map(|filling| plan_over(given, filling, settings)).transpose()
+    Task::Fill.check(settings)?;
+    // What is wrong with a style is told before anybody waits for the curve.
+    let texture = given.texture(settings)?;
+    Ok(cover(given, settings, progress)?.map(|filling| planned(given, filling, texture, settings)))
 }
 
 /// The curve alone, which many settings have in common. `progress` as in [`plan`].
 ///
 /// # Errors
-/// [`Error::Setting`] for a spacing too fine for this mesh.
+/// [`Error::Setting`] for a spacing too fine for this mesh, [`Error::Input`] for a mesh that no curve covers.
 pub fn cover(given: &Given, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Option<Filling>> {
     Task::Fill.check(settings)?;
-    start::fill(&given.mesh, &fill_options(given.motif(settings).as_ref(), settings), progress)
+    let options = FillOptions { name: given.name.clone(), ..fill_options(given.motif(settings).as_ref(), settings) };
+    start::fill(&given.mesh, &options, progress)
 }
 
 /// What a curve that [`cover`] gave for this mesh should show.
 ///
 /// # Errors
-/// [`Error::Picture`] for a style that shows nothing.
+/// [`Error::Picture`] for a style that shows nothing, [`Error::Setting`] for one too small to show anything.
 pub fn plan_over(given: &Given, filling: Filling, settings: &Settings) -> Result<Plan> {
+    Ok(planned(given, filling, given.texture(settings)?, settings))
+}
+
+fn planned(given: &Given, filling: Filling, texture: Option<Arc<Texture>>, settings: &Settings) -> Plan {
     let mut notes: Vec<String> = given.notes.iter().chain(&filling.notes).cloned().collect();
-    let mut texture = None;
-    if let Some(style) = given.style.as_ref().filter(|_| settings.style_strength > 0.0) {
-        match self::texture(style, settings, settings.size) {
-            Ok(found) => texture = Some(Arc::new(found)),
-            Err(error) => {
-                // A picture of lines that are too small in views of this size still says where ink goes.
-                self::texture(style, settings, LARGE_PX).map_err(|_| error)?;
-                notes.push("the views are too small for the style's texture: only its tones are used".to_owned());
-            }
-        }
+    if given.style_asked(settings).is_some() && texture.is_none() {
+        notes.push("the style is too small in the views for its texture to show: only its tones are used".to_owned());
     }
+    notes.extend(first::width_note(settings));
     let mut plan = Plan {
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
@@ -138,7 +149,7 @@ pub fn plan_over(given: &Given, filling: Filling, settings: &Settings) -> Result
         targets: Vec::new(),
     };
     plan.targets = plan.seen(looks::sides(settings.size), settings).targets;
-    Ok(plan)
+    plan
 }
 
 fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions {
@@ -161,18 +172,6 @@ fn fill_options(motif: Option<&Arc<Motif>>, settings: &Settings) -> FillOptions 
 fn world_per_px(settings: &Settings) -> f64 {
     let view = &looks::sides(settings.size)[0];
     1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
-}
-
-/// The statistics of a style's picture as large as it appears in a view of `view_px` pixels a side.
-fn texture(style: &Style, settings: &Settings, view_px: usize) -> Result<Texture> {
-    let side = style.ink.width.min(style.ink.height).max(1) as f64;
-    let side_px = settings.style_size / world_per_px(settings) * view_px as f64 / settings.size as f64;
-    Texture::of(&style.name, &style.ink, &TextureOptions { scale: side_px / side, ..TextureOptions::for_view(view_px) })
-}
-
-fn width_bounds(settings: &Settings) -> WidthBounds {
-    let px = world_per_px(settings) * settings.size as f64 / 256.0;
-    WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px }
 }
 
 impl Plan {
@@ -324,5 +323,38 @@ impl Run {
         let problem = plan.problem(saved.wire().clone(), saved.iteration(), settings);
         let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
         Ok(Run::new(Job { plan }, settings, session))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::Pattern;
+    use crate::settings::Preset;
+
+    #[test]
+    fn a_mesh_of_specks_is_refused_by_its_name() {
+        let speck = |x: f64| [[x, 0.0, 0.0], [x + 1e-4, 0.0, 0.0], [x, 1e-4, 0.0]];
+        let positions = [speck(-1.0), speck(1.0 - 1e-4)].concat();
+        let mesh = Arc::new(Mesh::new("specks", positions, vec![[0, 1, 2], [3, 4, 5]]).unwrap());
+        let given = Given { name: "specks.obj".into(), mesh, notes: Vec::new(), style: None };
+        for (curve_spacing, is_lowest) in [(0.1, false), (0.02, true)] {
+            let settings = Settings { curve_spacing, ..Task::Fill.preset(Preset::Best) };
+            let error = cover(&given, &settings, &mut |_| true).unwrap_err().to_string();
+            assert!(error.starts_with("specks.obj: has no part large enough"), "{error}");
+            assert_eq!(error.contains("lower curve_spacing"), !is_lowest, "{error}");
+        }
+    }
+
+    #[test]
+    fn a_style_that_cannot_show_is_refused_before_anything_is_covered() {
+        let style = Style { name: "petals".into(), ink: Pattern::Petals.picture(128), tiles: true };
+        let given = Given { style: Some(style), ..Given::shape(Shape::Sphere) };
+        let settings = Settings { style_size: 0.1, motif: Laid::Off, ..Task::Fill.preset(Preset::Best) };
+        let error = plan(&given, &settings, &mut |_| panic!("nothing is covered")).err().map(|error| error.to_string());
+        assert!(error.is_some_and(|error| error.starts_with("style_size: ")));
+        let settings = Settings { motif: Laid::Box, curve_spacing: 0.2, ..settings };
+        let plan = plan(&given, &settings, &mut |_| true).unwrap().unwrap();
+        assert!(plan.texture.is_none() && plan.notes().iter().any(|note| note.contains("only its tones")));
     }
 }
