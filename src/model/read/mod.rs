@@ -3,6 +3,7 @@
 mod gltf;
 mod obj;
 mod ply;
+mod polygon;
 mod scene;
 mod stl;
 
@@ -93,32 +94,4 @@ fn check_count(name: &str, count: usize) -> Result<()> {
 /// A file that ends early or says what cannot be.
 fn damaged(name: &str, problem: impl Into<String>) -> Error {
     Error::input(name, problem, "the file is damaged: save or download it again")
-}
-
-impl Soup {
-    /// Adds a polygon as triangles: along the shorter diagonal that keeps both on one side if it has four corners, else
-    /// as a fan.
-    fn add_polygon(&mut self, corners: &[u32]) {
-        if let [a, b, c, d] = *corners
-            && let Some(points) = self.points([a, b, c, d])
-        {
-            let [pa, pb, pc, pd] = points;
-            let bends = |x: glam::DVec3, y: glam::DVec3, z: glam::DVec3, w: glam::DVec3| {
-                (y - x).cross(z - x).dot((z - x).cross(w - x))
-            };
-            let (first, second) = (bends(pa, pb, pc, pd), bends(pb, pc, pd, pa));
-            if second > 0.0 && (first <= 0.0 || pb.distance_squared(pd) < pa.distance_squared(pc)) {
-                self.triangles.extend([[a, b, d], [b, c, d]]);
-                return;
-            }
-        }
-        for pair in corners.windows(2).skip(1) {
-            self.triangles.push([corners[0], pair[0], pair[1]]);
-        }
-    }
-
-    fn points<const N: usize>(&self, corners: [u32; N]) -> Option<[glam::DVec3; N]> {
-        let inside = corners.iter().all(|&corner| (corner as usize) < self.positions.len());
-        inside.then(|| corners.map(|corner| self.positions[corner as usize].into()))
-    }
 }
