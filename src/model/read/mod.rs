@@ -45,7 +45,8 @@ pub fn read_mesh(name: &str, bytes: &[u8]) -> Result<Mended> {
         return fail(problem, remedy);
     }
     let extension = name.rsplit_once('.').map_or(String::new(), |(_, end)| end.to_ascii_lowercase());
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let whole = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let text = whole.trim_ascii_start();
     let soup = if bytes.starts_with(b"glTF") {
         gltf::read_binary(name, bytes)?
     } else if stl::is_binary(bytes) {
@@ -61,7 +62,8 @@ pub fn read_mesh(name: &str, bytes: &[u8]) -> Result<Mended> {
     } else if extension == "stl" {
         stl::read_binary(name, bytes)?
     } else if obj::is_obj(text) {
-        obj::read(name, text)?
+        // With the blank lines before it: its errors count lines.
+        obj::read(name, whole)?
     } else {
         return fail("is not a mesh that can be read", SAVE_AS);
     };
