@@ -27,7 +27,12 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
         }
         at += 8 + length.div_ceil(4) * 4;
     }
-    read(name, json.ok_or_else(short)?, blob)
+    let mut json = json.ok_or_else(short)?;
+    // Chunks are filled up to whole words: with spaces, says the format, and with zeros, do some programs.
+    while let [rest @ .., b' ' | 0] = json {
+        json = rest;
+    }
+    read(name, json, blob)
 }
 
 /// A glTF: JSON alone.
@@ -160,6 +165,9 @@ impl Reader<'_> {
         if accessor.kind != if width == 1 { "SCALAR" } else { "VEC3" } {
             return Err(missing());
         }
+        if width == 1 && !matches!(accessor.component_type, 5121 | 5123 | 5125) {
+            return Err(damaged(self.name, format!("accessor {at} names corners by other than whole numbers from 0")));
+        }
         let view = accessor.buffer_view.and_then(|view| self.scene.buffer_views.get(view)).ok_or_else(missing)?;
         let buffer = self.buffers.get(view.buffer).ok_or_else(missing)?;
         let data = buffer
@@ -289,5 +297,21 @@ mod tests {
         assert_eq!(back, triangles);
         let error = lined_up(1000, 5125, &[[0.0, 1.0, 1000.0]], " ").unwrap_err().to_string();
         assert!(error.contains("corner that is not there"), "{error}");
+    }
+
+    #[test]
+    fn corners_are_named_by_whole_numbers() {
+        assert_eq!(lined_up(9, 5123, &[[0.0, 1.0, 2.0]], " ").unwrap().triangles.len(), 1);
+        for (kind, index) in [(5122, -3.0), (5122, 2.0), (5126, 2.7), (5126, f32::NAN)] {
+            let error = lined_up(9, kind, &[[0.0, 1.0, index]], " ").unwrap_err().to_string();
+            assert!(error.contains("whole numbers"), "{error}");
+        }
+    }
+
+    #[test]
+    fn text_may_be_filled_up_with_zeros() {
+        for end in ["\0", "\0\0\0\0\0", "  \0 \0", "   "] {
+            assert_eq!(lined_up(9, 5123, &[[0.0, 1.0, 2.0]], end).unwrap().triangles.len(), 1);
+        }
     }
 }
