@@ -38,10 +38,20 @@ pub(super) struct Soup {
 pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
     let (mut positions, mut triangles) = Mesh::new(name, soup.positions, soup.triangles)?.into_parts();
     let mut notes = Vec::new();
-    let flat = || Error::input(name, "its triangles have no area", "give a mesh with a surface");
+    let flat = || Err(Error::input(name, "its triangles have no area", "give a mesh with a surface"));
     if !into_unit_box(&mut positions, &triangles) {
-        return Err(flat());
+        return flat();
     }
+    let places = |t: &[u32; 3]| t.map(|corner| DVec3::from(positions[corner as usize]));
+    let cross = |t: &[u32; 3]| {
+        let [a, b, c] = places(t);
+        (b - a).cross(c - a)
+    };
+    // However small, some triangle is no line by its own measure.
+    let has_area = triangles.iter().any(|t| {
+        let [a, b, c] = places(t);
+        cross(t).length() > 1e-6 * a.distance_squared(b).max(a.distance_squared(c))
+    });
     let before = positions.len();
     let welded = weld(&positions);
     for triangle in &mut triangles {
@@ -55,10 +65,6 @@ pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
         "corners were welded to others in the same place",
     );
 
-    let cross = |t: &[u32; 3]| {
-        let [a, b, c] = t.map(|corner| DVec3::from(positions[corner as usize]));
-        (b - a).cross(c - a)
-    };
     let area = |t: &[u32; 3]| 0.5 * cross(t).length();
     let before = triangles.len();
     triangles.retain(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && area(t) > 1e-15);
@@ -83,7 +89,11 @@ pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
     }
     let total: f64 = areas.iter().sum();
     if total.is_nan() || total <= 1e-12 {
-        return Err(flat());
+        if has_area {
+            let problem = "has only parts that are too small for how far apart they lie";
+            return Err(Error::input(name, problem, "remove those that lie far away or bring them together"));
+        }
+        return flat();
     }
     // Six times the volume as seen from each part's middle: below zero if most of it faces inward.
     let mut volumes = vec![0.0; parts];
@@ -305,11 +315,23 @@ mod tests {
             let error = mend("flat.obj", Soup { positions, triangles: vec![[0, 1, 2]] }).unwrap_err().to_string();
             assert!(error.contains("flat.obj") && error.contains("no area"), "{error}");
         }
+        // Thin ones may lie in any direction.
+        let positions = vec![[0.3, 0.1, 0.7], [0.6, 0.2, 1.4], [0.9, 0.3, 2.1]];
+        let error = mend("x", Soup { positions, triangles: vec![[0, 1, 2]] }).unwrap_err().to_string();
+        assert!(error.contains("no area"), "{error}");
         // Huge and tiny ones are only scaled.
         for scale in [1e300, 1e-290] {
             let positions = vec![[-scale, 0.0, 0.0], [scale, 0.0, 0.0], [0.0, scale, 0.0]];
             let mended = mend("x", Soup { positions, triangles: vec![[0, 1, 2]] }).unwrap();
             assert!((mended.mesh.area() - 1.0).abs() < 0.01, "{}", mended.mesh.area());
         }
+    }
+
+    #[test]
+    fn parts_far_apart_are_told_so() {
+        let mut far = soup(&Shape::Sphere.mesh());
+        far.positions.iter_mut().for_each(|p| p[0] += 1e7);
+        let error = mend("far.obj", two(soup(&Shape::Sphere.mesh()), far)).unwrap_err().to_string();
+        assert!(error.contains("far apart") && !error.contains("no area"), "{error}");
     }
 }

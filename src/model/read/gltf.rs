@@ -27,7 +27,12 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
         }
         at += 8 + length.div_ceil(4) * 4;
     }
-    read(name, json.ok_or_else(short)?, blob)
+    let mut json = json.ok_or_else(short)?;
+    // Chunks are filled up to whole words: with spaces, says the format, and with zeros, do some programs.
+    while let [rest @ .., b' ' | 0] = json {
+        json = rest;
+    }
+    read(name, json, blob)
 }
 
 /// A glTF: JSON alone.
@@ -76,8 +81,9 @@ fn read(name: &str, json: &[u8], blob: Option<&[u8]>) -> Result<Soup> {
     let count = parts().map(|(primitive, _)| reader.triangles(primitive)).fold(0, usize::saturating_add);
     check_count(name, count)?;
     let mut soup = Soup::default();
+    let mut kept = Vec::new();
     for (primitive, matrix) in parts() {
-        reader.add(primitive, matrix, &mut soup)?;
+        reader.add(primitive, matrix, &mut soup, &mut kept)?;
     }
     Ok(soup)
 }
@@ -105,21 +111,18 @@ impl Reader<'_> {
         }
     }
 
-    fn add(&self, primitive: &Primitive, matrix: DMat4, soup: &mut Soup) -> Result<()> {
+    /// Adds a primitive with those of its corners that triangles name: many may share one list of them. `kept` is for
+    /// this alone: one more than the place in the soup of each corner in the list, as of its last use.
+    fn add(&self, primitive: &Primitive, matrix: DMat4, soup: &mut Soup, kept: &mut Vec<u32>) -> Result<()> {
         let count = self.triangles(primitive);
         let Some(positions) = primitive.attributes.position else { return Ok(()) };
         if count == 0 {
             return Ok(());
         }
         let base = soup.positions.len();
-        let numbers = self.numbers(positions, 3)?;
-        soup.positions
-            .extend(numbers.chunks_exact(3).map(|p| matrix.transform_point3(DVec3::new(p[0], p[1], p[2])).to_array()));
-        let corners = soup.positions.len() - base;
-        let indices = match primitive.indices {
-            Some(indices) => self.numbers(indices, 1)?,
-            None => (0..corners).map(|i| i as f64).collect(),
-        };
+        let positions = self.numbers(positions, 3)?;
+        let indices = primitive.indices.map(|indices| self.numbers(indices, 1)).transpose()?;
+        kept.resize(kept.len().max(positions.accessor.count), 0);
         // A reflection turns triangles inside out.
         let mirrored = matrix.determinant() < 0.0;
         for i in 0..count {
@@ -128,19 +131,28 @@ impl Reader<'_> {
                 STRIP => (i, i + 1 + i % 2, i + 2 - i % 2),
                 _ => (0, i + 1, i + 2),
             };
-            let triangle = [a, if mirrored { c } else { b }, if mirrored { b } else { c }].map(|at| indices[at]);
-            if triangle.iter().any(|&index| index >= corners as f64) {
-                return Err(damaged(self.name, "a triangle names a corner that is not there"));
+            let mut triangle = [0; 3];
+            for (corner, at) in triangle.iter_mut().zip(if mirrored { [a, c, b] } else { [a, b, c] }) {
+                let index = indices.as_ref().map_or(at, |indices| indices.get(at, 0) as usize);
+                if index >= positions.accessor.count {
+                    return Err(damaged(self.name, "a triangle names a corner that is not there"));
+                }
+                if kept[index] as usize <= base {
+                    let [x, y, z] = [0, 1, 2].map(|axis| positions.get(index, axis));
+                    soup.positions.push(matrix.transform_point3(DVec3::new(x, y, z)).to_array());
+                    kept[index] = soup.positions.len() as u32;
+                }
+                *corner = kept[index] - 1;
             }
-            soup.triangles.push(triangle.map(|index| (base + index as usize) as u32));
+            soup.triangles.push(triangle);
         }
         Ok(())
     }
 
-    /// The numbers of an accessor, `width` of them an element.
-    fn numbers(&self, accessor: usize, width: usize) -> Result<Vec<f64>> {
-        let missing = || damaged(self.name, format!("accessor {accessor} is not there whole"));
-        let accessor: &Accessor = self.scene.accessors.get(accessor).ok_or_else(missing)?;
+    /// The numbers of an accessor: three an element for places, one for the indices of corners.
+    fn numbers(&self, at: usize, width: usize) -> Result<Numbers<'_>> {
+        let missing = || damaged(self.name, format!("accessor {at} is not there whole"));
+        let accessor: &Accessor = self.scene.accessors.get(at).ok_or_else(missing)?;
         if accessor.sparse.is_some() {
             return Err(unsupported(self.name, "a sparse accessor"));
         }
@@ -153,6 +165,9 @@ impl Reader<'_> {
         if accessor.kind != if width == 1 { "SCALAR" } else { "VEC3" } {
             return Err(missing());
         }
+        if width == 1 && !matches!(accessor.component_type, 5121 | 5123 | 5125) {
+            return Err(damaged(self.name, format!("accessor {at} names corners by other than whole numbers from 0")));
+        }
         let view = accessor.buffer_view.and_then(|view| self.scene.buffer_views.get(view)).ok_or_else(missing)?;
         let buffer = self.buffers.get(view.buffer).ok_or_else(missing)?;
         let data = buffer
@@ -162,16 +177,24 @@ impl Reader<'_> {
             .ok_or_else(missing)?;
         let stride = view.byte_stride.unwrap_or(bytes * width);
         let end = stride.checked_mul(accessor.count.saturating_sub(1)).and_then(|last| last.checked_add(bytes * width));
-        if stride == 0 || accessor.count > data.len() || end.is_none_or(|end| end > data.len()) {
+        if stride < bytes * width || accessor.count > data.len() || end.is_none_or(|end| end > data.len()) {
             return Err(missing());
         }
-        let mut numbers = Vec::with_capacity(width * accessor.count);
-        for i in 0..accessor.count {
-            for k in 0..width {
-                numbers.push(component(accessor, &data[i * stride + k * bytes..][..bytes]));
-            }
-        }
-        Ok(numbers)
+        Ok(Numbers { accessor, data, stride, bytes })
+    }
+}
+
+/// An accessor whose elements all lie in its data, `stride` bytes apart; a number has so many `bytes`.
+struct Numbers<'a> {
+    accessor: &'a Accessor,
+    data: &'a [u8],
+    stride: usize,
+    bytes: usize,
+}
+
+impl Numbers<'_> {
+    fn get(&self, element: usize, axis: usize) -> f64 {
+        component(self.accessor, &self.data[element * self.stride + axis * self.bytes..][..self.bytes])
     }
 }
 
@@ -221,5 +244,74 @@ mod tests {
             assert_eq!(base64(text).unwrap(), bytes.as_bytes());
         }
         assert_eq!(base64("Zm9*"), None);
+    }
+
+    /// Corners on a line; one primitive a triangle; indices of the given kind.
+    fn lined_up(corners: usize, kind: u32, triangles: &[[f32; 3]], end: &str) -> Result<Soup> {
+        let mut blob: Vec<u8> = (0..corners).flat_map(|i| [i as f32, 0.0, 0.0]).flat_map(f32::to_le_bytes).collect();
+        let start = blob.len();
+        let (mut primitives, mut accessors) = (Vec::new(), Vec::new());
+        for (i, triangle) in triangles.iter().enumerate() {
+            let offset = blob.len() - start;
+            for &index in triangle {
+                match kind {
+                    5122 | 5123 => blob.extend((index as i16).to_le_bytes()),
+                    5126 => blob.extend(index.to_le_bytes()),
+                    _ => blob.extend((index as u32).to_le_bytes()),
+                }
+            }
+            primitives.push(format!(r#"{{"attributes":{{"POSITION":0}},"indices":{}}}"#, i + 1));
+            accessors.push(format!(
+                r#",{{"bufferView":1,"byteOffset":{offset},"componentType":{kind},"count":3,"type":"SCALAR"}}"#
+            ));
+        }
+        let mut json = format!(
+            r#"{{"meshes":[{{"primitives":[{}]}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":{corners},"type":"VEC3"}}{}],
+            "bufferViews":[{{"buffer":0,"byteLength":{start}}},{{"buffer":0,"byteOffset":{start},"byteLength":{}}}],
+            "buffers":[{{"byteLength":{}}}]}}{end}"#,
+            primitives.join(","),
+            accessors.concat(),
+            blob.len() - start,
+            blob.len()
+        );
+        while json.len() % 4 != 0 {
+            json += &end[..1];
+        }
+        let mut glb = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
+        for (kind, chunk) in [(b"JSON", json.as_bytes()), (b"BIN\0", &blob)] {
+            glb.extend((chunk.len() as u32).to_le_bytes());
+            glb.extend(kind);
+            glb.extend(chunk);
+        }
+        read_binary("a.glb", &glb)
+    }
+
+    #[test]
+    fn only_corners_that_triangles_name_are_kept() {
+        let triangles: Vec<[f32; 3]> = (0..100).map(|i| [i as f32, 999.0 - i as f32, 7.0]).collect();
+        let soup = lined_up(1000, 5125, &triangles, " ").unwrap();
+        assert!(soup.positions.len() <= 300, "{}", soup.positions.len());
+        let back: Vec<[f32; 3]> =
+            soup.triangles.iter().map(|t| t.map(|corner| soup.positions[corner as usize][0] as f32)).collect();
+        assert_eq!(back, triangles);
+        let error = lined_up(1000, 5125, &[[0.0, 1.0, 1000.0]], " ").unwrap_err().to_string();
+        assert!(error.contains("corner that is not there"), "{error}");
+    }
+
+    #[test]
+    fn corners_are_named_by_whole_numbers() {
+        assert_eq!(lined_up(9, 5123, &[[0.0, 1.0, 2.0]], " ").unwrap().triangles.len(), 1);
+        for (kind, index) in [(5122, -3.0), (5122, 2.0), (5126, 2.7), (5126, f32::NAN)] {
+            let error = lined_up(9, kind, &[[0.0, 1.0, index]], " ").unwrap_err().to_string();
+            assert!(error.contains("whole numbers"), "{error}");
+        }
+    }
+
+    #[test]
+    fn text_may_be_filled_up_with_zeros() {
+        for end in ["\0", "\0\0\0\0\0", "  \0 \0", "   "] {
+            assert_eq!(lined_up(9, 5123, &[[0.0, 1.0, 2.0]], end).unwrap().triangles.len(), 1);
+        }
     }
 }

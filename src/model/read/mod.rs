@@ -3,6 +3,7 @@
 mod gltf;
 mod obj;
 mod ply;
+mod polygon;
 mod scene;
 mod stl;
 
@@ -44,7 +45,8 @@ pub fn read_mesh(name: &str, bytes: &[u8]) -> Result<Mended> {
         return fail(problem, remedy);
     }
     let extension = name.rsplit_once('.').map_or(String::new(), |(_, end)| end.to_ascii_lowercase());
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let whole = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let text = whole.trim_ascii_start();
     let soup = if bytes.starts_with(b"glTF") {
         gltf::read_binary(name, bytes)?
     } else if stl::is_binary(bytes) {
@@ -60,7 +62,8 @@ pub fn read_mesh(name: &str, bytes: &[u8]) -> Result<Mended> {
     } else if extension == "stl" {
         stl::read_binary(name, bytes)?
     } else if obj::is_obj(text) {
-        obj::read(name, text)?
+        // With the blank lines before it: its errors count lines.
+        obj::read(name, whole)?
     } else {
         return fail("is not a mesh that can be read", SAVE_AS);
     };
@@ -93,32 +96,4 @@ fn check_count(name: &str, count: usize) -> Result<()> {
 /// A file that ends early or says what cannot be.
 fn damaged(name: &str, problem: impl Into<String>) -> Error {
     Error::input(name, problem, "the file is damaged: save or download it again")
-}
-
-impl Soup {
-    /// Adds a polygon as triangles: along the shorter diagonal that keeps both on one side if it has four corners, else
-    /// as a fan.
-    fn add_polygon(&mut self, corners: &[u32]) {
-        if let [a, b, c, d] = *corners
-            && let Some(points) = self.points([a, b, c, d])
-        {
-            let [pa, pb, pc, pd] = points;
-            let bends = |x: glam::DVec3, y: glam::DVec3, z: glam::DVec3, w: glam::DVec3| {
-                (y - x).cross(z - x).dot((z - x).cross(w - x))
-            };
-            let (first, second) = (bends(pa, pb, pc, pd), bends(pb, pc, pd, pa));
-            if second > 0.0 && (first <= 0.0 || pb.distance_squared(pd) < pa.distance_squared(pc)) {
-                self.triangles.extend([[a, b, d], [b, c, d]]);
-                return;
-            }
-        }
-        for pair in corners.windows(2).skip(1) {
-            self.triangles.push([corners[0], pair[0], pair[1]]);
-        }
-    }
-
-    fn points<const N: usize>(&self, corners: [u32; N]) -> Option<[glam::DVec3; N]> {
-        let inside = corners.iter().all(|&corner| (corner as usize) < self.positions.len());
-        inside.then(|| corners.map(|corner| self.positions[corner as usize].into()))
-    }
 }

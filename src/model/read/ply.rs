@@ -1,9 +1,10 @@
 //! PLY, in words or binary of either order: elements `vertex` (x, y, z) and `face` (a list of corners).
 
-use super::{Soup, check_count, damaged};
+use super::{MAX_TRIANGLES, Soup, check_count, damaged};
 use crate::{Error, Result};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+use std::io::Read;
 
 /// One element: a corner or a face, whatever is told first.
 #[derive(Default)]
@@ -65,7 +66,11 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         damaged(name, format!("cannot be read ({})", words.lines().next().unwrap_or_default().trim_end_matches('.')))
     };
     let parser = Parser::<Element>::new();
-    let mut reader = Reader::new(bytes);
+    // The reader takes UTF-8 alone, but comments and names of programs come in any letters.
+    let end = bytes.windows(10).position(|word| word == b"end_header").unwrap_or(0);
+    let (header, rest) = bytes.split_at(end);
+    let header: Vec<u8> = header.iter().map(|byte| if byte.is_ascii() { *byte } else { b'?' }).collect();
+    let mut reader = Reader::new(header.chain(rest));
     let header = parser.read_header(&mut reader).map_err(|problem| broken(&problem))?;
     let mut soup = Soup::default();
     for (kind, element) in &header.elements {
@@ -78,6 +83,11 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         }
     }
     for (kind, definition) in &header.elements {
+        // As many corners as triangles without a common one have, and no mesh has more of anything else.
+        if definition.count > 3 * MAX_TRIANGLES {
+            let problem = format!("has {} times {kind}, more than {MAX_TRIANGLES} triangles need", definition.count);
+            return Err(Error::input(name, problem, "reduce it in a modelling program (decimate, simplify)"));
+        }
         let elements =
             parser.read_payload_for_element(&mut reader, definition, &header).map_err(|problem| broken(&problem))?;
         match kind.as_str() {
@@ -95,4 +105,31 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Soup> {
         return Err(Error::input(name, "holds points without faces", "make a surface of them in a modelling program"));
     }
     Ok(soup)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_elements_than_a_mesh_needs_are_refused() {
+        for kind in ["junk", "vertex"] {
+            let mut bytes = format!(
+                "ply\nformat binary_little_endian 1.0\nelement {kind} 1500001\nproperty char x\nelement face 0\n\
+                 property list uchar int vertex_indices\nend_header\n"
+            )
+            .into_bytes();
+            bytes.resize(bytes.len() + 1_500_001, 0);
+            let error = read("a.ply", &bytes).unwrap_err().to_string();
+            assert!(error.contains(&format!("1500001 times {kind}, more than 500000 triangles need")), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_comment_may_have_any_letters() {
+        let words = b"ply\nformat ascii 1.0\ncomment caf\xe9\nelement vertex 3\nproperty float x\nproperty float y\n\
+                      property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+                      0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+        assert_eq!(read("a.ply", words).unwrap().triangles, [[0, 1, 2]]);
+    }
 }

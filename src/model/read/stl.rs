@@ -40,20 +40,28 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
 
 pub(super) fn read_text(name: &str, text: &[u8]) -> Result<Soup> {
     let mut soup = Soup::default();
-    let mut ended = false;
+    let (mut ended, mut naming) = (false, false);
     let mut corners: Vec<[f64; 3]> = Vec::new();
-    let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-    while let Some(word) = words.next() {
-        ended = word.eq_ignore_ascii_case(b"endsolid") || ended;
-        if word.eq_ignore_ascii_case(b"vertex") {
+    let mut rest = text;
+    while let Some((word, begins_line)) = next_word(&mut rest) {
+        let is = |what: &[u8]| word.eq_ignore_ascii_case(what);
+        // A solid's name is any words to the end of the line; or to its first facet, if all is one line.
+        naming = naming && !begins_line && !is(b"facet");
+        if naming {
+            continue;
+        }
+        if is(b"solid") || is(b"endsolid") || is(b"facet") {
+            ended = is(b"endsolid");
+            naming = !is(b"facet");
+        } else if is(b"vertex") {
             let mut point = [0.0; 3];
             for c in &mut point {
-                *c = words.next().and_then(parsed).ok_or_else(|| {
+                *c = next_word(&mut rest).and_then(|(word, _)| parsed(word)).ok_or_else(|| {
                     damaged(name, format!("corner {} is not three numbers", 3 * soup.triangles.len() + corners.len()))
                 })?;
             }
             corners.push(point);
-        } else if word.eq_ignore_ascii_case(b"endloop") {
+        } else if is(b"endloop") {
             if corners.len() != 3 {
                 let problem = format!("facet {} has {} corners instead of three", soup.triangles.len(), corners.len());
                 return Err(damaged(name, problem));
@@ -69,11 +77,49 @@ pub(super) fn read_text(name: &str, text: &[u8]) -> Result<Soup> {
     Ok(soup)
 }
 
+/// The next word, and whether a new line begins before it.
+fn next_word<'a>(rest: &mut &'a [u8]) -> Option<(&'a [u8], bool)> {
+    let (space, words) = rest.split_at(rest.iter().position(|byte| !byte.is_ascii_whitespace())?);
+    let (word, after) = words.split_at(words.iter().position(u8::is_ascii_whitespace).unwrap_or(words.len()));
+    *rest = after;
+    Some((word, space.iter().any(|byte| b"\n\r".contains(byte))))
+}
+
 impl Soup {
     /// Adds a triangle with corners of its own.
     fn add_triangle(&mut self, mut corner: impl FnMut() -> [f64; 3]) {
         let base = self.positions.len() as u32;
         self.positions.extend([corner(), corner(), corner()]);
         self.triangles.push([base, base + 1, base + 2]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FACET: &str = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+
+    fn facets(words: &str) -> Result<usize> {
+        read_text("a.stl", words.as_bytes()).map(|soup| soup.triangles.len())
+    }
+
+    #[test]
+    fn every_solid_has_an_end() {
+        let one = format!("solid a\n{FACET}endsolid a\n");
+        assert_eq!(facets(&format!("{one}{one}")).unwrap(), 2);
+        for cut in [format!("{one}solid b\n{FACET}"), format!("{one}{FACET}"), format!("{one}solid b")] {
+            let error = facets(&cut).unwrap_err().to_string();
+            assert!(error.contains("without its last line"), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_solid_may_have_any_name() {
+        for name in ["my vertex model", "endsolid", "endloop vertex", "solid"] {
+            assert_eq!(facets(&format!("solid {name}\r\n{FACET}endsolid {name}\n")).unwrap(), 1, "{name}");
+        }
+        let line = format!("solid a\n{FACET}endsolid a\nsolid b\n{FACET}endsolid b").replace('\n', " ");
+        assert_eq!(facets(&line).unwrap(), 2, "all in one line");
     }
 }
