@@ -83,11 +83,11 @@ fn the_comparison_can_fail() {
     assert!(rms(&draw(&text, 128, 128), &holed) > 0.02, "a hole is seen");
 }
 
-/// Thrice round the sphere, from pole to pole and back.
+/// Round and round the sphere, from pole to pole and back, and from no side the same in front and behind.
 fn round_a_sphere() -> Wire {
     let at = |i: usize| {
         let turn = i as f64 / 120.0 * std::f64::consts::TAU;
-        let (height, around) = (0.9 * turn.cos(), 6.0 * turn);
+        let (height, around) = (0.9 * turn.cos(), 6.0 * turn + 0.8);
         let out = (1.0 - height * height).sqrt();
         [out * around.cos(), height, out * around.sin(), 0.03]
     };
@@ -99,14 +99,15 @@ fn a_drawing_leaves_out_what_a_solid_hides() {
     let (wire, sphere) = (round_a_sphere(), Shape::named("sphere").unwrap().mesh());
     for view in [View::canonical(2.2, 256)[0].clone(), wires::perspective().with_size(320, 256)] {
         let occluder = |view: &View| Occluder::new(Depths::render(&sphere, view).widened());
-        let shown = render_seen(&wire, &view, &occluder(&view));
-        // With finer depths strands along the silhouette end elsewhere by a pixel.
-        let finer = occluder(&view.with_size(3 * view.width_px, 3 * view.height_px));
-        let text = svg(&wire, &view, Some(&finer), &SvgOptions::default());
-        let all = svg(&wire, &view, None, &SvgOptions::default());
-        let [hidden, bare] = [&text, &all].map(|text| rms(&draw(text, view.width_px, view.height_px), &shown));
-        assert!(hidden < 0.03 && bare > 0.1, "{}: differs by {hidden}, with the far side by {bare}", view.name);
-        assert!(text.len() < all.len() * 3 / 4, "{} of {} bytes", text.len(), all.len());
+        let drawn = |occluder: Option<&Occluder>| svg(&wire, &view, occluder, &SvgOptions::default());
+        let coarse = occluder(&view);
+        let fine = occluder(&view.with_size(3 * view.width_px, 3 * view.height_px));
+        let (text, all) = (drawn(Some(&coarse)), drawn(None));
+        let shown = render_seen(&wire, &view, &coarse);
+        let off = |text: &str| rms(&draw(text, view.width_px, view.height_px), &shown);
+        let (same, finer, bare) = (off(&text), off(&drawn(Some(&fine))), off(&all));
+        // Along the silhouette strands end elsewhere by a pixel where depths are finer.
+        assert!(same < 0.02 && finer < 0.06 && bare > 0.1, "{}: differs by {same}, {finer}, {bare}", view.name);
     }
 }
 
