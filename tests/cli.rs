@@ -293,7 +293,7 @@ fn a_mesh_is_covered_with_everything_beside_it() {
         let picture = image::open(at(name)).unwrap().to_luma16();
         picture.pixels().map(|pixel| u64::from(pixel.0[0])).sum::<u64>()
     };
-    assert!(ink("seen.png", &["--covers", "torus", "--size", "96"]) < ink("all.png", &["--size", "96"]) * 4 / 5);
+    assert!(ink("seen.png", &["--covers", "torus", "--size", "96"]) < ink("all.png", &["--size", "96"]) * 9 / 10);
     // As the run itself showed it.
     assert_eq!(fs::read(at("seen.png")).unwrap(), fs::read(at("torus").join("front.png")).unwrap());
     refused(&wire4d(&["export", text(&torus), "--to", text(&at("bad.glb")), "--covers", "torus"]), "write an .svg");

@@ -107,7 +107,7 @@ fn a_drawing_leaves_out_what_a_solid_hides() {
         let off = |text: &str| rms(&draw(text, view.width_px, view.height_px), &shown);
         let (same, finer, bare) = (off(&text), off(&drawn(Some(&fine))), off(&all));
         // Along the silhouette strands end elsewhere by a pixel where depths are finer.
-        assert!(same < 0.02 && finer < 0.06 && bare > 0.1, "{}: differs by {same}, {finer}, {bare}", view.name);
+        assert!(same < 0.03 && finer < bare / 2.0 && bare > 0.1, "{}: differs by {same}, {finer}, {bare}", view.name);
     }
 }
 

@@ -14,6 +14,7 @@ let doc: Doc;
 let state: Pick<StudioState, "planned" | "restyled">;
 let planning: Planning;
 let ahead: boolean;
+let known: boolean;
 
 const change = (next: Partial<Doc>): void => {
   doc = { ...doc, ...next };
@@ -25,13 +26,14 @@ beforeEach(() => {
   doc = { ...BLANK, job: "fill", cover: of("vase") };
   state = { planned: false, restyled: false };
   ahead = false;
+  known = true;
   const bench = {
     get doc() {
       return doc;
     },
     busy: false,
     store: {
-      get: () => ({ ...state, doc, tables: { multiview: table, stroke: table, fill: table } }),
+      get: () => ({ ...state, doc, tables: known ? { multiview: table, stroke: table, fill: table } : null }),
       set: (changed: object) => (state = { ...state, ...changed }),
     },
   };
@@ -63,6 +65,18 @@ it("takes a wire from elsewhere for one of what was there when it was asked for"
   change({ cover: of("vase") });
   expect(state.planned).toBe(false);
   expect(planning.coverOf(link)).toEqual(of("vase"));
+});
+
+it("takes it with the settings that came with it, which are known later", () => {
+  [ahead, known] = [true, false];
+  planning.awaits();
+  planning.follow(true);
+  doc = { ...doc, ...withDesk(doc, "fill", { settings: { curve_spacing: "0.1" } }) };
+  known = true;
+  planning.follow(true);
+  ahead = false;
+  make(madeOf(null));
+  expect(state.planned).toBe(false);
 });
 
 it("knows what a wire of a run covers, whatever is there now", () => {

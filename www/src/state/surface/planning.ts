@@ -5,7 +5,6 @@ import { presetOf } from "../address/fragment";
 import { deskOf, type Made } from "../keeping/document";
 import type { SettingValues } from "../../engine/protocol";
 import type { Coverer } from "../run/coverer";
-import type { Track } from "../run/track";
 import type { Options } from "../settings/options";
 import { tableOf, type Bench } from "../studio-state";
 import { curveKey, lookKey, solidKey, type Cover } from "./cover";
@@ -22,8 +21,8 @@ const keysOf = (cover: Cover, value: (name: string) => string): Keys => ({ solid
 export class Planning {
   /** Of wires that were made. */
   private readonly keys = new WeakMap<Made, Keys>();
-  /** What a wire from elsewhere is of: what was there when it was asked for. */
-  private awaited: Pick<Track, "settings"> & { readonly cover: Cover | null } | null = null;
+  /** What a wire from elsewhere is of: what was there when it was asked for, with the settings that came with it. */
+  private awaited: { readonly cover: Cover | null; readonly settings: SettingValues | null } | null = null;
 
   constructor(
     private readonly bench: Bench,
@@ -33,8 +32,9 @@ export class Planning {
 
   /** A wire from elsewhere is on its way; what changes from now on is the person's doing. */
   awaits(): void {
-    const { cover, desks } = this.bench.doc;
-    this.awaited = { cover, settings: desks.fill.settings };
+    const { doc, store } = this.bench;
+    // Before there is a table, settings that are asked for are not known yet.
+    this.awaited = { cover: doc.cover, settings: store.get().tables && doc.desks.fill.settings };
   }
 
   /** To be called after every change. `ahead`: a wire is on the stage that is not in the document yet. */
@@ -48,6 +48,7 @@ export class Planning {
       this.plan(false, false);
       return;
     }
+    if (this.awaited && !this.awaited.settings) this.awaited = { ...this.awaited, settings };
     const now = keysOf(cover, (name) => this.options.value(name));
     const made = ahead ? this.keysOfAwaited(now) : this.keysOfMade(now);
     const planned = made?.curve !== now.curve;
