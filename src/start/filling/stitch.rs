@@ -199,10 +199,8 @@ mod tests {
         let on = |k: u32| move |node: &Node| Node { triangle: node.triangle + k * each, ..*node };
         let rings = (0..sheets).flat_map(|k| rings.iter().map(move |ring| ring.iter().map(on(k)).collect()));
         let rings: Vec<Strand> = rings.collect();
-        let begin = std::time::Instant::now();
         let lines = stitched(&surface, &rings, 0.15, &mut |_| true).unwrap();
         assert_eq!(lines.len(), sheets as usize);
-        assert!(begin.elapsed().as_secs() < 10, "{:?}", begin.elapsed());
         assert_eq!(stitched(&surface, &rings, 0.15, &mut |share| share < 0.5), None);
     }
 }
