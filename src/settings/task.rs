@@ -1,6 +1,6 @@
 //! What each task has of the table: which settings, which of their choices, and which presets.
 
-use super::{Group, Kind, Preset, Setting, Settings, TABLE};
+use super::{Group, Kind, OnOff, Preset, Setting, Settings, TABLE};
 use crate::{Error, Result};
 
 /// A task with settings of its own.
@@ -69,7 +69,12 @@ impl Task {
 
     /// Its settings of a preset.
     pub fn preset(self, preset: Preset) -> Settings {
-        self.presets()(preset)
+        self.presets()(preset, preset.smooth())
+    }
+
+    /// Its settings of a preset, with the wire kept smooth or not.
+    pub fn preset_with(self, preset: Preset, smooth: OnOff) -> Settings {
+        self.presets()(preset, smooth)
     }
 
     /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
@@ -93,11 +98,11 @@ impl Task {
         Ok(settings)
     }
 
-    fn presets(self) -> fn(Preset) -> Settings {
+    fn presets(self) -> fn(Preset, OnOff) -> Settings {
         match self {
-            Task::Multiview => Settings::preset,
-            Task::Stroke => Settings::stroke_preset,
-            Task::Fill => Settings::fill_preset,
+            Task::Multiview => Settings::drawings,
+            Task::Stroke => Settings::picture,
+            Task::Fill => Settings::mesh,
         }
     }
 }

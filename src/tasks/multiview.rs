@@ -211,6 +211,7 @@ impl Plan {
         let wire = match settings.control_points {
             // The points of the tour are the control points (the paper's choice).
             _ if settings.start == Start::Ball => Wire::open_uniform(path.points)?,
+            0 if settings.smooth == OnOff::On => start::wire_along(&path, super::fit::WIDE * settings.spacing * px)?,
             0 => {
                 let finest = start::length(&path) / MOST_FIRST_POINTS;
                 start::wire_along(&path, (settings.spacing * px).max(finest))?
