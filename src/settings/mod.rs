@@ -565,10 +565,12 @@ impl Settings {
     /// # Errors
     /// As [`Settings::set`] and [`Settings::check`].
     pub fn from_pairs<'a>(pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
-        Settings::from_pairs_over(Settings::drawings, pairs)
+        let settings = Settings::from_pairs_over(Settings::drawings, pairs)?;
+        settings.check()?;
+        Ok(settings)
     }
 
-    /// [`Settings::from_pairs`] with a task's own presets. Whether the wire is kept smooth chooses among them, too.
+    /// [`Settings::from_pairs`] with a task's own presets, not yet checked. Whether the wire is kept smooth chooses among them, too.
     fn from_pairs_over<'a>(
         presets: fn(Preset, OnOff) -> Settings,
         pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
@@ -592,7 +594,6 @@ impl Settings {
         for (name, text) in pairs {
             settings.set(name, text)?;
         }
-        settings.check()?;
         Ok(settings)
     }
 
@@ -637,6 +638,26 @@ impl Settings {
             ));
         }
         Ok(())
+    }
+
+    /// For a wire of constant width: of least and greatest width one given stands for both.
+    fn one_width(&mut self, given: &[&str]) -> Result<()> {
+        let is_given = |name: &str| given.iter().any(|given| given.replace('-', "_") == name);
+        match (is_given("min_width"), is_given("max_width")) {
+            (true, true) if self.min_width != self.max_width => {
+                let problem = format!("constant, but from {} to {}", self.min_width, self.max_width);
+                Err(Error::setting("width", problem, "give one of min_width and max_width, both the same, or neither"))
+            }
+            (true, false) => {
+                self.max_width = self.min_width;
+                Ok(())
+            }
+            (false, true) => {
+                self.min_width = self.max_width;
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Every value by name, for files and reports.

@@ -1,6 +1,6 @@
 //! What each task has of the table: which settings, which of their choices, and which presets.
 
-use super::{Group, Kind, OnOff, Preset, Setting, Settings, TABLE};
+use super::{Group, Kind, OnOff, Preset, Setting, Settings, TABLE, Width};
 use crate::{Error, Result};
 
 /// A task with settings of its own.
@@ -13,6 +13,10 @@ pub enum Task {
     /// A mesh.
     Fill,
 }
+
+/// The widest least bend, and the widest least strand, that leave room for anything else in a picture of 256 px.
+const WIDEST_BEND_PX: f64 = 64.0;
+const WIDEST_STRAND_PX: f64 = 24.0;
 
 impl Task {
     /// The settings it has, in the order people should see them, with the choices that it has.
@@ -56,6 +60,7 @@ impl Task {
     /// As [`Settings::check`], and [`Error::Setting`] for a choice that this task does not have.
     pub fn check(self, settings: &Settings) -> Result<()> {
         settings.check()?;
+        self.check_smooth(settings)?;
         let values = settings.to_texts();
         for name in ["start", "arrange", "bend"] {
             let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
@@ -93,9 +98,42 @@ impl Task {
                 ));
             }
         }
-        let settings = Settings::from_pairs_over(self.presets(), pairs)?;
+        let given: Vec<&str> = pairs.clone().into_iter().map(|(name, _)| name).collect();
+        let mut settings = Settings::from_pairs_over(self.presets(), pairs)?;
+        if settings.width == Width::Constant {
+            settings.one_width(&given)?;
+        }
         self.check(&settings)?;
         Ok(settings)
+    }
+
+    /// What the wire cannot be at once.
+    fn check_smooth(self, settings: &Settings) -> Result<()> {
+        if settings.smooth == OnOff::Off {
+            return Ok(());
+        }
+        let least = settings.bend_radius * settings.min_width;
+        if least > WIDEST_BEND_PX {
+            let widest = WIDEST_BEND_PX / settings.min_width.max(f64::MIN_POSITIVE);
+            let problem = format!(
+                "{} diameters of a wire at least {} px wide are {least:.0} px, and no such bend fits into a picture of 256 px",
+                settings.bend_radius, settings.min_width
+            );
+            return Err(Error::setting("bend_radius", problem, format!("give at most {widest:.1}, or a thinner wire")));
+        }
+        if settings.min_width > WIDEST_STRAND_PX {
+            let problem = format!("strands at least {} px wide cannot pass each other", settings.min_width);
+            let remedy = format!("give at most {WIDEST_STRAND_PX}, or --smooth off");
+            return Err(Error::setting("min_width", problem, remedy));
+        }
+        // World units a pixel: the ball of radius 1 fills about 200 px of 256.
+        let spacing_px = settings.curve_spacing * 100.0;
+        if self == Task::Fill && settings.min_width > spacing_px {
+            let problem = format!("strands at least {} px wide do not fit side by side", settings.min_width);
+            let remedy = format!("give at most {spacing_px:.1}, a wider curve_spacing, or --smooth off");
+            return Err(Error::setting("min_width", problem, remedy));
+        }
+        Ok(())
     }
 
     fn presets(self) -> fn(Preset, OnOff) -> Settings {

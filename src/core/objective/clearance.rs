@@ -38,14 +38,15 @@ impl Neighbours {
         &self.others[self.starts[i] as usize..self.starts[i + 1] as usize]
     }
 
-    /// Pairs of nodes within D plus `slack_world` of each other and at least `gap_world` apart along the wire, by a grid
-    /// of cells that no pair can skip. `lengths` are the arc lengths that nodes stand for.
+    /// Pairs of nodes within D plus `slack_world` of each other and at least `one_strand` D apart along the wire, by a grid of
+    /// cells that no pair can skip. `lengths` are the arc lengths that nodes stand for. From π/2 on no round bend that is as
+    /// wide as D pushes itself.
     pub fn find(
         places: &[[f32; 4]],
         lengths: &[f32],
         closed: bool,
         clearance: &Clearance<f32>,
-        gap_world: f32,
+        one_strand: f32,
         slack_world: f32,
     ) -> Neighbours {
         let count = places.len();
@@ -73,8 +74,8 @@ impl Neighbours {
                     apart = apart.min(total - apart);
                 }
                 let squared = (0..3).map(|c| (place[c] - other[c]).powi(2)).sum::<f32>();
-                let near = least_distance(clearance, place[3], other[3]) + slack_world;
-                if apart >= gap_world && squared < near * near {
+                let least = least_distance(clearance, place[3], other[3]);
+                if apart >= one_strand * least && squared < (least + slack_world).powi(2) {
                     found.push((squared, j));
                 }
             });
@@ -207,17 +208,17 @@ mod tests {
             .collect()
     }
 
-    fn find(places: &[[f64; 4]], closed: bool, gap: f32, slack: f32) -> Neighbours {
+    fn find(places: &[[f64; 4]], closed: bool, one_strand: f32, slack: f32) -> Neighbours {
         let places: Vec<_> = places.iter().map(|place| place.map(|c| c as f32)).collect();
         let lengths = vec![0.01; places.len()];
-        Neighbours::find(&places, &lengths, closed, &single(&CLEARANCE), gap, slack)
+        Neighbours::find(&places, &lengths, closed, &single(&CLEARANCE), one_strand, slack)
     }
 
     #[test]
     fn the_grid_finds_whom_all_pairs_find() {
         for (closed, count) in [(false, 40), (true, 40)] {
             let places = cloud(count, 2);
-            let found = find(&places, closed, 0.055, 0.02);
+            let found = find(&places, closed, 1.03, 0.02);
             let mut pairs = 0;
             for i in 0..count {
                 let near = |&j: &usize| {
@@ -225,7 +226,7 @@ mod tests {
                     let steps = if closed { steps.min(count - steps) } else { steps };
                     let distance = (0..3).map(|c| (places[i][c] - places[j][c]).powi(2)).sum::<f64>().sqrt();
                     let least = (1.25 * 0.5 * (places[i][3] + places[j][3])).max(0.05);
-                    steps as f64 * 0.01 >= 0.055 && distance < least + 0.02
+                    steps as f64 * 0.01 >= 1.03 * least && distance < least + 0.02
                 };
                 let expected: Vec<u32> = (0..count).filter(near).map(|j| j as u32).collect();
                 assert_eq!(found.of(i), expected, "node {i}");
@@ -246,7 +247,7 @@ mod tests {
     #[test]
     fn gradients_agree_with_central_differences() {
         let places = cloud(40, 4);
-        let neighbours = find(&places, false, 0.03, 0.02);
+        let neighbours = find(&places, false, 0.5, 0.02);
         let steps: Vec<f64> = (0..40).map(|i| 0.1 + 0.01 * f64::from(i)).collect();
         let energy = |places: &[[f64; 4]]| {
             clearance_and_gradient(places, &steps, &neighbours, &CLEARANCE, &mut vec![[0.0; 4]; places.len()])
@@ -272,7 +273,7 @@ mod tests {
     #[test]
     fn coincident_and_broken_places_give_no_nan() {
         let mut places = vec![[0.1, 0.2, 0.3, 0.05]; 20];
-        let neighbours = find(&places, false, 0.05, 0.01);
+        let neighbours = find(&places, false, 0.7, 0.01);
         assert!(!neighbours.others.is_empty());
         let mut gradient = vec![[0.0; 4]; 20];
         let energy = clearance_and_gradient(&places, &[0.1; 20], &neighbours, &CLEARANCE, &mut gradient);

@@ -114,9 +114,9 @@ impl Session {
         let (mut places, mut first) = (Vec::new(), Vec::new());
         nodes.place.apply(&self.strand_points, &mut places);
         nodes.first.apply(&self.strand_points, &mut first);
-        let (gap, slack) = smooth.watch(self.px_256);
+        let (one_strand, slack) = smooth.watch(self.px_256);
         let clearance = smooth.clearance(0.0, self.px_256, 0.0);
-        Neighbours::find(&places, &nodes.lengths(&first), nodes.closed, &clearance, gap, slack)
+        Neighbours::find(&places, &nodes.lengths(&first), nodes.closed, &clearance, one_strand, slack)
     }
 
     /// Mean speed along the wire at `strand_points`, world units a knot unit.

@@ -23,8 +23,8 @@ pub struct Smooth {
     pub clearance_diameters: f64,
     /// The least of those distances.
     pub least_clearance_px: f64,
-    /// Nearer along the wire than this, places are one strand.
-    pub strand_px: f64,
+    /// Nearer along the wire than so many clearances, places are one strand.
+    pub one_strand: f64,
     /// Weight of the even spacing.
     pub evenness: f64,
     /// Iterations between two looks at who is near whom.
@@ -50,7 +50,7 @@ impl Default for Smooth {
             clearance: ramped(15.0),
             clearance_diameters: 1.25,
             least_clearance_px: 3.2,
-            strand_px: 16.0,
+            one_strand: 2.0,
             evenness: 2.0,
             every: 4,
             nodes_per_span: 3,
@@ -68,7 +68,7 @@ impl Smooth {
             self.least_radius_diameters,
             self.clearance_diameters,
             self.least_clearance_px,
-            self.strand_px,
+            self.one_strand,
             self.evenness,
         ];
         let fine = from_0.iter().all(|value| value.is_finite() && *value >= 0.0)
@@ -104,8 +104,8 @@ impl Smooth {
         }
     }
 
-    /// How far apart along the wire strands are, and how far beyond their clearance they are watched, world units.
+    /// How many clearances apart along the wire strands are, and how far beyond one they are watched, world units.
     pub(super) fn watch(&self, px: f64) -> (f32, f32) {
-        ((self.strand_px * px) as f32, (SLACK_PX * px) as f32)
+        (self.one_strand as f32, (SLACK_PX * px) as f32)
     }
 }

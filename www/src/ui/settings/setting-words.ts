@@ -18,6 +18,9 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   backend: { label: "Where it is computed", choices: { auto: "Best there is", cpu: "Processor", gpu: "Graphics card" } },
   when_hidden: { label: "When this tab is hidden", choices: { go: "Keep going", pause: "Pause" } },
 
+  smooth: { label: "Keep it smooth", choices: { on: "Yes", off: "No, follow every line" } },
+  width: { label: "Width", choices: { varying: "Thick and thin", constant: "The same everywhere" } },
+  bend_radius: { label: "Least bend radius", slider: [0, 5, 0.25] },
   form: { label: "Form", choices: { wire: "One smooth wire", chain: "Curves with corners", bag: "Loose curves" } },
   control_points: { label: "Control points", slider: [0, 2000, 10] },
   spacing: { label: "Distance between points", slider: [1, 12, 0.5] },
@@ -36,7 +39,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   start: { label: "First wire", choices: { tree: "Grown through the drawings", contour: "Along the outline, inwards", stripes: "Parallel lines, joined", tour: "A tour of points", hull: "Inside their volume", ball: "In a ball" } },
   reinit: { label: "Reuse points that vanish" },
   refine: { label: "Add points where needed" },
-  smoothness: { label: "Smoothness", slider: [0, 5, 0.1] },
+  smoothness: { label: "Calm", slider: [0, 5, 0.1] },
 
   stroke_start: { label: "First wire", choices: { contour: "Along the outline, inwards", points: "Through points inside", ball: "In a ball" } },
   shading: { label: "The front shows", choices: { lines: "Lines, wide where it is dark", grey: "The picture's greys" } },
