@@ -108,6 +108,8 @@ choices! {
     }
     /// Where the first wire comes from.
     Start {
+        /// A tree grown through the drawings and a closed circuit round it that goes no way twice but where it must.
+        Circuit = "circuit",
         /// A tree grown through the drawings, walked there and back: one connected wire.
         Tree = "tree",
         /// Along the outline and inwards, line by line, on the front and back of the solid behind one picture.
@@ -339,7 +341,7 @@ settings! {
     max_stretch: f64 = 1.35, "times", Number { min: 1.0, max: 4.0 };
 
     Fit /// Where the first wire comes from.
-    start: Start = Start::Tree, "", Choice { choices: Start::WORDS };
+    start: Start = Start::Circuit, "", Choice { choices: Start::WORDS };
     Fit /// Move control points whose width has vanished to where they are needed.
     reinit: bool = false, "", Switch;
     Fit /// Add control points where the pictures pull hardest.
@@ -407,6 +409,10 @@ settings! {
     Surface /// How strongly the wire is held to the surface.
     surface_pull: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
+    Expert /// How strongly strands push each other away, where the wire is kept smooth.
+    clearance: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
+    Expert /// How strongly bends that are too tight open, where the wire is kept smooth.
+    tightness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
     Expert /// Step size for positions, in pixels of a 128 px picture.
     position_rate: f64 = 0.6, "px at 128", Number { min: 1e-4, max: 10.0 };
     Expert /// Step size for widths, in pixels of a 128 px picture.
@@ -444,6 +450,7 @@ impl Settings {
             OnOff::On => Settings::default(),
             OnOff::Off => Settings {
                 smooth,
+                start: Start::Tree,
                 iterations: 1100,
                 spacing: 2.0,
                 min_width: 1.0,

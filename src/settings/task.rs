@@ -45,7 +45,7 @@ impl Task {
     /// can be said.
     fn choices(self, name: &str) -> Option<&'static [&'static str]> {
         match (self, name) {
-            (Task::Multiview, "start") => Some(&["tree", "hull", "ball"]),
+            (Task::Multiview, "start") => Some(&["circuit", "tree", "hull", "ball"]),
             (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
             (Task::Fill, "start") => Some(&["stripes", "tour"]),
             (Task::Stroke | Task::Fill, "arrange") => Some(&["off"]),
@@ -194,7 +194,7 @@ mod tests {
             other => panic!("{other:?}"),
         };
         assert_eq!(refused(Task::Stroke, "start", "tree"), ("start".into(), "give contour or hull or ball".into()));
-        assert_eq!(refused(Task::Multiview, "start", "contour"), ("start".into(), "give tree or hull or ball".into()));
+        assert_eq!(refused(Task::Multiview, "start", "contour"), ("start".into(), "give circuit or tree or hull or ball".into()));
         assert_eq!(refused(Task::Stroke, "bend", "free"), ("bend".into(), "give none".into()));
         assert!(Task::Stroke.settings([("bend", "none"), ("arrange", "off"), ("start", "ball")]).is_ok());
     }

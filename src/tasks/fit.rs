@@ -49,7 +49,7 @@ const WIDE_UNTIL: f64 = 0.45;
 const LENGTH: [f64; 2] = [0.1, 0.02];
 const JERK_WIDTH: f64 = 20.0;
 
-fn dev(name: &str, default: f64) -> f64 {
+pub(super) fn dev(name: &str, default: f64) -> f64 {
     let all = std::env::var("W4D").unwrap_or_default();
     all.split(',').filter_map(|pair| pair.split_once('=')).find(|(key, _)| *key == name).map_or(default, |(_, value)| value.parse().unwrap())
 }
@@ -61,10 +61,10 @@ fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
     recipe.smooth = Some(Smooth {
         bending: Schedule::Geometric { from: dev("wb0", 100.0), to: dev("wb1", 3.0), until: dev("wbt", 0.7) },
         cusp_radius_px: dev("cusp", 2.0),
-        tightness: Schedule::Piecewise(vec![[0.1, 0.0], [dev("wtt", 0.6), dev("wt", 6.0)], [0.9, dev("wt", 6.0)], [1.0, dev("wt2", dev("wt", 6.0))]]),
+        tightness: Schedule::Piecewise(vec![[0.1, 0.0], [dev("wtt", 0.6), dev("wt", 6.0) * settings.tightness], [0.9, dev("wt", 6.0) * settings.tightness], [1.0, dev("wt2", dev("wt", 6.0) * settings.tightness)]]),
         least_radius_px: dev("r0", 4.5),
         least_radius_diameters: dev("rd", settings.bend_radius),
-        clearance: Schedule::Piecewise(vec![[0.1, 0.0], [0.6, dev("wc", 15.0)]]),
+        clearance: Schedule::Piecewise(vec![[0.1, 0.0], [0.6, settings.clearance * dev("wc", 15.0)]]),
         clearance_diameters: dev("cd", 1.25),
         least_clearance_px: dev("c0", 3.2),
         one_strand: dev("gap", 2.0),

@@ -4,7 +4,7 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::engine::engine;
-use super::fit::recipe;
+use super::fit::{dev, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
 use crate::metrics::{BentReport, ResultReport, match_pictures};
@@ -14,7 +14,7 @@ use crate::picture::{Ink, Picture, ink};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
-    self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
+    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
 use crate::view::{Image, Target, ViewSpec};
 use crate::wire::{Form, Wire};
@@ -229,6 +229,11 @@ impl Plan {
     ) -> Result<Path> {
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
+            Start::Circuit => {
+                let tree = TreeOptions { across: settings.grid / 2 * 2, step_price: dev("step", 0.5) as f32, met_price: dev("met", 0.4) as f32, ..TreeOptions::default() };
+                let mut c = CircuitOptions::default(); c.stray_price = dev("stray", 8.0) as f32; c.again_price = dev("again", 0.2) as f32; c.slack_px_at_128 = dev("slack", 1.0) as f32;
+                start::circuit_path(targets, *half_extents_world, &tree, &c, progress)
+            }
             Start::Tree | Start::Contour | Start::Stripes | Start::Tour => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
                 let trail = TrailOptions { shorter: settings.shorter, ..TrailOptions::default() };

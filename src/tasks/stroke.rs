@@ -237,7 +237,7 @@ impl Plan {
                 }
             }
             // The points of the tour are the control points (the paper's choice).
-            Start::Hull | Start::Tree | Start::Stripes | Start::Tour => {
+            Start::Hull | Start::Circuit | Start::Tree | Start::Stripes | Start::Tour => {
                 Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?
             }
             Start::Ball => Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?,
