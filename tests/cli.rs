@@ -92,9 +92,14 @@ fn a_run_writes_everything_and_every_verb_reads_it() {
     let target = out.join("front-target.png");
     let metrics = succeeds(&wire4d(&["metrics", text(&wire), "--targets", text(&target)]));
     let metrics: Value = serde_json::from_str(&metrics).unwrap();
-    for figure in ["components", "length", "control_points", "min_width"] {
+    let elegance = ["turning_per_unit", "kinks", "tight_share", "touching_share", "penetrating_share"];
+    for figure in ["components", "length", "control_points", "min_width"].into_iter().chain(elegance) {
+        assert!(metrics[figure].is_number(), "{figure}");
         assert_eq!(metrics[figure], report["result"][figure], "{figure}");
     }
+    // One of the two views' lines are about half of all; both drawings moved a little.
+    let [one, both] = [&metrics, &report["result"]].map(|result| result["length_over_lines"].as_f64().unwrap());
+    assert!((1.2..4.0).contains(&(one / both)) && both > 0.5, "{one} {both}");
     let again = metrics["views"][0]["soft_iou"].as_f64().unwrap();
     assert!((again - views[0]["soft_iou"].as_f64().unwrap()).abs() < 0.02, "{again}");
 

@@ -4,7 +4,7 @@ mod export_support;
 
 use export_support as wires;
 use std::f64::consts::{PI, TAU};
-use wire4d::metrics::{ResultReport, shape};
+use wire4d::metrics::{Elegance, ResultReport, shape};
 use wire4d::sculpture::render;
 use wire4d::view::View;
 use wire4d::wire::Wire;
@@ -79,6 +79,11 @@ fn every_wire_gets_finite_figures() {
             let found = shape(&wire, &views);
             let figures = [found.length, found.connectivity_cost, found.min_width, found.max_width, found.jerk];
             assert!(figures.iter().all(|x| x.is_finite() && *x >= 0.0), "{name}: {found:?}");
+            let Elegance { turning_per_unit, tight_share, touching_share, penetrating_share, .. } = found.elegance;
+            assert!(turning_per_unit.is_finite() && turning_per_unit >= 0.0, "{name}: {found:?}");
+            for share in [tight_share, touching_share, penetrating_share] {
+                assert!((0.0..=1.0).contains(&share), "{name}: {found:?}");
+            }
             assert!(found.min_bend_radius.is_none_or(|r| r.is_finite() && r >= 0.0), "{name}: {found:?}");
         }
     }
@@ -116,6 +121,14 @@ fn a_report_has_the_fields_of_the_contract() {
         assert!(!value[key].is_null(), "{key}");
     }
     assert!(value["min_bend_radius"].is_f64());
+    for key in ["turning_per_unit", "kinks", "tight_share", "touching_share", "penetrating_share", "length_over_lines"]
+    {
+        assert!(value[key].is_number(), "{key}");
+    }
+    let mut old = value.clone();
+    old.as_object_mut().unwrap().retain(|key, _| !key.starts_with("tight") && key != "length_over_lines");
+    let old = serde_json::from_value::<ResultReport>(old).unwrap();
+    assert_eq!((old.length_over_lines, old.shape.elegance.tight_share), (None, 0.0), "reports from before can be read");
     let view = value["views"][0].as_object().unwrap();
     for key in ["name", "soft_iou", "psnr_db", "precision_2px", "recall_2px", "target_coverable", "bent", "stretch"] {
         assert!(view.contains_key(key), "{key}");

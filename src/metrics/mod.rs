@@ -4,7 +4,9 @@
 //! the object fits the unit ball.
 
 mod connectivity;
+mod elegance;
 mod evenness;
+mod lines;
 pub mod perceptual;
 mod picture;
 mod pieces;
@@ -12,7 +14,9 @@ mod report;
 mod shape;
 mod surface;
 
+pub use elegance::{Elegance, Faults, GAUGE, TIGHT_GAUGES, elegance};
 pub use evenness::Evenness;
+pub use lines::length_over_lines;
 pub use picture::{PictureMatch, match_pictures, match_pictures_with, precision_2px, psnr_db, recall_2px, soft_iou};
 pub use report::{
     ArrangementReport, BentReport, EventReport, REPORT_SIZE_PX, Report, ResultReport, TimeReport, ViewReport,

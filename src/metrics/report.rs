@@ -1,6 +1,6 @@
 //! What `report.json` holds, field for field. Tasks fill it; `wire4d metrics` prints [`ResultReport`].
 
-use super::{PictureMatch, ShapeMetrics, SurfaceReport, match_pictures, shape};
+use super::{PictureMatch, ShapeMetrics, SurfaceReport, length_over_lines, match_pictures, shape};
 use crate::sculpture::{Sculpture, render};
 use crate::view::Image;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -84,6 +84,9 @@ pub struct ResultReport {
     /// The wire's shape.
     #[serde(flatten)]
     pub shape: ShapeMetrics,
+    /// Length of the wire over that of the middle lines of all targets, as bent; `None` without targets.
+    #[serde(default)]
+    pub length_over_lines: Option<f64>,
     /// How the wire covers a surface, where that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface: Option<SurfaceReport>,
@@ -159,10 +162,14 @@ impl ResultReport {
             let found = target.map(|target| match_pictures(target, |width, height| draw(i, [width, height])));
             ViewReport::new(&view.name, found)
         });
+        let views = views.collect();
+        let shape = shape(&sculpture.wire, &sculpture.views);
+        let drawn = targets.iter().zip(&sculpture.views).filter_map(|(target, view)| Some((target.as_ref()?, view)));
         ResultReport {
-            views: views.collect(),
+            views,
             control_points: sculpture.wire.control_points().len(),
-            shape: shape(&sculpture.wire, &sculpture.views),
+            length_over_lines: length_over_lines(shape.length, drawn),
+            shape,
             surface: None,
         }
     }

@@ -1,7 +1,7 @@
 //! The shape of the wire itself: parts, length, widths, bends.
 
 use super::connectivity::connectivity;
-use super::{REPORT_SIZE_PX, picture::report_size};
+use super::{Elegance, REPORT_SIZE_PX, elegance, picture::report_size};
 use crate::view::{Camera, View};
 use crate::wire::{Jerk, Wire};
 use glam::DVec3;
@@ -35,6 +35,9 @@ pub struct ShapeMetrics {
     pub min_bend_radius: Option<f64>,
     /// `∫ |C'''|² dt` over position and width, on the wire's own knots.
     pub jerk: f64,
+    /// How the wire runs: bends, kinks, and where it meets itself.
+    #[serde(flatten)]
+    pub elegance: Elegance,
 }
 
 /// Measures `wire` as seen in `views`; without any, as in the three canonical ones 2.2 world units high.
@@ -70,6 +73,7 @@ pub fn shape(wire: &Wire, views: &[View]) -> ShapeMetrics {
         max_width: widths().fold(0.0, f64::max),
         min_bend_radius,
         jerk: Jerk::<f64>::new(wire).energy(wire.control_points(), 1.0, 1.0),
+        elegance: elegance(wire).0,
     }
 }
 

@@ -7,7 +7,7 @@ use super::engine::engine;
 use super::fit::{dev, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
-use crate::metrics::{BentReport, ResultReport, match_pictures};
+use crate::metrics::{BentReport, ResultReport, length_over_lines, match_pictures};
 use crate::objective::Displacement;
 use crate::optimize::{Problem, Session, WidthBounds, wait};
 use crate::picture::{Ink, Picture, ink};
@@ -294,20 +294,21 @@ impl super::Job for Job {
         self.plan.placed(view)
     }
 
-    /// How much of each drawing could be shown, and, where drawings bend, the match with the bent ones.
+    /// How much of each drawing could be shown, and, where drawings bend, what only the bent ones can be held against.
     fn complete(&self, result: &mut ResultReport, made: &Sculpture, run: &Run) {
         let Arrangement { targets, placements, .. } = &self.plan.arrangement;
         for (view, (placement, coverable)) in result.views.iter_mut().zip(placements.iter().zip(&self.plan.coverable)) {
             view.stretch = placement.stretch;
             view.target_coverable = Some(f64::from(coverable.share));
         }
-        for ((view, target), (picture, moved)) in
-            result.views.iter_mut().zip(targets).zip(run.bent().into_iter().flatten())
-        {
+        let Some(bent) = run.bent() else { return };
+        for ((view, target), (picture, moved)) in result.views.iter_mut().zip(targets).zip(&bent) {
             let found =
-                match_pictures(&picture, |width, height| render(&made.wire, &target.view.with_size(width, height)));
+                match_pictures(picture, |width, height| render(&made.wire, &target.view.with_size(width, height)));
             view.bent = Some(BentReport::new(found, moved.mean_px, moved.max_px));
         }
+        let drawn = bent.iter().zip(targets).map(|((picture, _), target)| (picture, &target.view));
+        result.length_over_lines = length_over_lines(result.shape.length, drawn);
     }
 }
 

@@ -4,7 +4,7 @@ use super::json;
 use super::pictures::{Ink, ViewTarget};
 use crate::export::{self, ExportOptions, Format};
 use crate::mesh::Mesh;
-use crate::metrics::ResultReport;
+use crate::metrics::{ResultReport, elegance};
 use crate::sculpture::Sculpture;
 use crate::wire::Wire;
 use crate::{Error, Result};
@@ -89,6 +89,11 @@ impl Made {
     /// The `result` part of report.json.
     pub fn result(&self) -> String {
         json(&self.result)
+    }
+
+    /// Where it fails, as JSON: see [`crate::metrics::Faults`].
+    pub fn faults(&self) -> String {
+        json(&elegance(&self.sculpture.wire).1)
     }
 
     /// Number of targets; none for a wire from a link.

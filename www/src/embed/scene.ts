@@ -6,6 +6,7 @@
 import { boundsOf, type BodyShape } from "./body";
 import { Easel } from "./easel";
 import { tonesOf, type Look } from "./looks";
+import type { Marks } from "./marks";
 import type { Vec3 } from "./matrix";
 import { axesOf, cameraOf, directionOf, framed, Orbit, type Vantage, type Pose, type ViewName } from "./orbit";
 import { Painter, WALL_AWAY } from "./painter";
@@ -66,6 +67,9 @@ export class Scene {
   private stale = true;
   private wire: WireShape | null = null;
   private wireStale = true;
+  private places: readonly Vec3[] | null = null;
+  /** Once there were places to mark. */
+  private marks: Marks | null = null;
   private body: BodyShape | null = null;
   private through = false;
   private loads = 0;
@@ -130,6 +134,17 @@ export class Scene {
     if (wire?.controlPoints.length !== this.wire?.controlPoints.length) this.loads = 0;
     this.wire = wire;
     this.wireStale = true;
+    this.invalidate();
+  }
+
+  /** Rings round these places; null for none. */
+  async mark(places: readonly Vec3[] | null): Promise<void> {
+    this.places = places;
+    if (places && !this.marks) {
+      const { Marks } = await import("./marks");
+      this.marks ??= new Marks(this.gl);
+    }
+    this.marks?.load(this.places ?? []);
     this.invalidate();
   }
 
@@ -244,8 +259,9 @@ export class Scene {
     this.painter.loadBody(this.body);
     this.easel = new Easel(this.gl);
     this.wireStale = true;
+    this.marks = null;
+    void this.mark(this.places);
     this.events.lost(false);
-    this.invalidate();
   };
 
   private get aspect(): number {
@@ -404,9 +420,11 @@ export class Scene {
 
   private paint(width: number, height: number, pose: Pose): void {
     this.paintedMs = performance.now();
-    this.easel.draw(width, height, () =>
-      this.painter.paint(cameraOf(pose, width, height), axesOf(pose).back, this.look, width, height, this.through, this.fineness < 1),
-    );
+    const camera = cameraOf(pose, width, height);
+    this.easel.draw(width, height, () => {
+      this.painter.paint(camera, axesOf(pose).back, this.look, width, height, this.through, this.fineness < 1);
+      this.marks?.paint(camera.clipFromWorld, width / (this.width || width), this.look.wall);
+    });
   }
 }
 

@@ -7,6 +7,7 @@ import { inPage, inWorker, type Backstage } from "./backstage";
 import type { BodyShape } from "./body";
 import { listen } from "./controls";
 import type { Look } from "./looks";
+import type { Vec3 } from "./matrix";
 import type { Vantage } from "./orbit";
 import type { SceneEvents } from "./scene";
 import type { WireShape } from "./shape";
@@ -59,6 +60,11 @@ export class Stage {
 
   setWire(wire: WireShape | null): void {
     this.backstage.act("setWire", wire);
+  }
+
+  /** Rings round these places; null for none. */
+  mark(places: readonly Vec3[] | null): void {
+    this.backstage.act("mark", places);
   }
 
   /** What the wire covers: a solid that hides what is behind it. */

@@ -6,6 +6,7 @@ import type {
   Covered,
   Drawing,
   ExportFormat,
+  Faults,
   Finished,
   FoundInk,
   FoundObject,
@@ -242,6 +243,7 @@ function finished(made: wasm.Made): Finished {
     targets: targets(made),
     shown: Array.from({ length: made.shown_count }, (_, index) => ink(made.shown(index))),
     measures: JSON.parse(made.result()) as Measures,
+    faults: JSON.parse(made.faults()) as Faults,
     file: own(made.file()),
     code: made.share_code(),
   };

@@ -1,5 +1,6 @@
 /** The messages between page and worker. Each request gets exactly one answer; a run also sends news on its way. */
 
+import type { Vec3 } from "../embed/matrix";
 import type { WireShape } from "../embed/shape";
 import type { View } from "../embed/view";
 
@@ -211,10 +212,20 @@ export interface Finished {
   /** What each view shows of it as the fit sees it, where a surface hides what is behind; else empty. */
   readonly shown: readonly Ink[];
   readonly measures: Measures;
+  /** Not with wires that were kept before there were any. */
+  readonly faults?: Faults;
   /** The wire.json: exports start from it. */
   readonly file: Uint8Array<ArrayBuffer>;
   /** The share code. */
   readonly code: string;
+}
+
+/** Where a wire fails, world units: a place for every stretch that does. */
+export interface Faults {
+  /** Bent tighter than a hand can bend. */
+  readonly tight: readonly Vec3[];
+  /** Inside another strand. */
+  readonly penetrating: readonly Vec3[];
 }
 
 /** Numbers about a wire: the `result` part of report.json, as far as the page shows it. */
@@ -229,6 +240,14 @@ export interface Measures {
   /** World units. */
   readonly min_width: number;
   readonly max_width: number;
+  /** How it runs; not with wires that were kept before that was measured. Radians a unit, and shares of its length. */
+  readonly turning_per_unit?: number;
+  readonly kinks?: number;
+  readonly tight_share?: number;
+  readonly touching_share?: number;
+  readonly penetrating_share?: number;
+  /** Its length over that of the lines of all views' drawings; null without drawings. */
+  readonly length_over_lines?: number | null;
   /** Of a wire that covers a shape. */
   readonly surface?: SurfaceMeasures | null;
 }

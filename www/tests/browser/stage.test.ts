@@ -7,23 +7,28 @@ import { openSite } from "./site";
 
 const { browser, site } = await openSite();
 
-/** Share of a picture's pixels that are copper, however it is lit. */
-function copperIn(page: Page, png: string): Promise<number> {
+/** Shares of a picture's pixels that are copper, however it is lit, and of the colour of marks. */
+function coloursIn(page: Page, png: string): Promise<{ copper: number; marks: number }> {
   return page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes]));
     const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d")!;
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    let copper = 0;
-    for (let i = 0; i < data.length; i += 4) copper += data[i]! - data[i + 1]! > 25 && data[i]! - data[i + 2]! > 50 ? 1 : 0;
-    return copper / (data.length / 4);
+    let [copper, marks] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const [red, green, blue] = [data[i]!, data[i + 1]!, data[i + 2]!];
+      if (red - green > 25 && red - blue > 50) copper++;
+      if (red - green > 120 && blue - green > 30) marks++;
+    }
+    return { copper: copper / (data.length / 4), marks: marks / (data.length / 4) };
   }, png);
 }
 
 const canvas = (page: Page) => page.locator("wire-stage canvas");
 const seen = (page: Page): Promise<Buffer> => canvas(page).screenshot();
-const copper = async (page: Page): Promise<number> => copperIn(page, (await seen(page)).toString("base64"));
+const colours = async (page: Page) => coloursIn(page, (await seen(page)).toString("base64"));
+const copper = async (page: Page): Promise<number> => (await colours(page)).copper;
 
 /** The stage has drawn the wire, and drawn it fine. */
 async function shown(page: Page): Promise<void> {
@@ -80,6 +85,20 @@ it("shows no copper where there is no wire", async () => {
 });
 
 describe.each(["worker", "page"] as const)("in a %s", (where) => {
+  it("marks places, and takes the marks away", async () => {
+    const { page } = await lender(where);
+    await shown(page);
+    const mark = (places: readonly (readonly number[])[] | null) =>
+      page.locator("wire-stage").evaluate((element, places) => (element as unknown as { mark(places: unknown): void }).mark(places), places);
+    const marks = async (): Promise<number> => (await colours(page)).marks;
+    expect(await marks()).toBe(0);
+    await mark([[0, 0, 0], [0.3, 0.3, 0.3]]);
+    await expect.poll(marks).toBeGreaterThan(0.00005);
+    await mark(null);
+    await expect.poll(marks).toBe(0);
+    await page.context().close();
+  });
+
   it("takes a picture with the wire in it, and survives the loss of its context", async () => {
     const { page, tell } = await lender(where);
     await shown(page);
@@ -89,7 +108,7 @@ describe.each(["worker", "page"] as const)("in a %s", (where) => {
       for (const byte of new Uint8Array(await blob.arrayBuffer())) text += String.fromCharCode(byte);
       return btoa(text);
     });
-    expect(await copperIn(page, picture)).toBeGreaterThan(0.003);
+    expect((await coloursIn(page, picture)).copper).toBeGreaterThan(0.003);
     await tell("lent.loseContext()");
     const notice = page.locator("wire-stage .lost");
     await notice.waitFor();

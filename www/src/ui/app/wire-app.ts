@@ -1,6 +1,7 @@
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../../embed/looks";
+import type { Faults } from "../../engine/protocol";
 import { nextTask } from "../../state/next-task";
 import { explain } from "../../state/words";
 import { deskOf, SLOTS, Studio, tableOf, type Job, type StudioState } from "../../state/studio";
@@ -100,7 +101,7 @@ export class WireApp extends LitElement {
         <notice-list .studio=${studio} .state=${now}></notice-list>
         <div class="right">
           <run-panel .studio=${studio} .state=${now} @draw=${() => this.edit({ slot: "front", tab: "draw" })} @choose-picture=${this.choosePicture} @choose-mesh=${this.chooseMesh}></run-panel>
-          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom}>
+          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom} @mark=${this.mark}>
             ${this.narrow.matches ? this.timeLine() : nothing}
             ${job === "stroke"
               ? html`<stroke-choices .studio=${studio} .state=${now}></stroke-choices>`
@@ -304,6 +305,8 @@ export class WireApp extends LitElement {
   };
 
   private readonly lookFrom = ({ detail }: CustomEvent<Heading>): void => this.stage.lookFrom(detail);
+
+  private readonly mark = ({ detail }: CustomEvent<Faults[keyof Faults] | null>): void => this.stage.mark(detail);
 
   /** Whether the far side's lines are seen: a setting, or what somebody wants to see while a run keeps it as it is. */
   private get through(): boolean {

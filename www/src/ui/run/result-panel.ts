@@ -1,7 +1,9 @@
 import { css, html, nothing } from "lit";
-import { customElement, property, query } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import type { WireShape } from "../../embed/shape";
+import type { Faults } from "../../engine/protocol";
 import type { Made } from "../../state/keeping/document";
+import { percent } from "../../state/words";
 import { deskOf, SLOTS, type Job, type StudioState } from "../../state/studio";
 import { count } from "../../view/count";
 import "../../view/loss-curve";
@@ -11,6 +13,7 @@ import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
 import { covered, worldLength } from "../surface/covered";
 import type { CoveredViews } from "../surface/covered-views";
+import { FAULTS, faultWords } from "./faults";
 import type { TurnedViews } from "./turned-views";
 import { match, verdict } from "./verdict";
 
@@ -25,7 +28,7 @@ const EXAMPLES: Readonly<Record<Job, string>> = {
 
 type Figure = readonly [name: string, value: string];
 
-/** The numbers that matter, the curve, and what they come to in a sentence. */
+/** The numbers that matter, the curve, and what they come to in a sentence. Fires `mark` with the places to mark. */
 @customElement("result-panel")
 export class ResultPanel extends Part {
   @property({ attribute: false }) state!: StudioState;
@@ -35,6 +38,9 @@ export class ResultPanel extends Part {
   /** Those that know the wire. */
   private readonly told = new WeakSet<Element>();
   private wire: WireShape | null = null;
+  /** The faults that are marked on the stage, where a wire has any. */
+  @state() private marked: keyof Faults | null = null;
+  private places: Faults[keyof Faults] | null = null;
 
   static override styles = [
     controls,
@@ -83,6 +89,24 @@ export class ResultPanel extends Part {
         font-weight: 600;
         white-space: nowrap;
       }
+      .fault {
+        text-align: end;
+        text-wrap: balance;
+        white-space: normal;
+      }
+      .fault button {
+        min-height: 24px;
+        padding: 0;
+        border: 0;
+        background: none;
+        font-weight: inherit;
+        text-align: inherit;
+        text-decoration: underline;
+        text-decoration-color: #d81b60;
+      }
+      .fault button[aria-pressed="true"] {
+        text-decoration-thickness: 3px;
+      }
     `,
   ];
 
@@ -100,6 +124,7 @@ export class ResultPanel extends Part {
       ${job === "fill" ? html`<covered-views .made=${deskOf(doc).made} ?past=${!made}></covered-views>` : nothing}
       <dl>
         ${job === "fill" ? this.onSurface(made).map(([name, value]) => html`<div class="wide"><dt>${name}</dt><dd>${value}</dd></div>`) : nothing}
+        ${this.faults(made)}
         ${this.numbers(made).map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}
       </dl>
       <loss-curve
@@ -126,6 +151,11 @@ export class ResultPanel extends Part {
 
   /** Pictures come and go with the job, and the script of some when they are first wanted: they may be gone before it is there. */
   protected override updated(): void {
+    const places = (this.marked && this.measured()?.finished.faults?.[this.marked]) || null;
+    if (places !== this.places) {
+      this.places = places;
+      this.dispatchEvent(new CustomEvent("mark", { detail: places, bubbles: true, composed: true }));
+    }
     for (const pictures of [this.panels, this.turned]) {
       if (!pictures || this.told.has(pictures)) continue;
       this.told.add(pictures);
@@ -160,6 +190,19 @@ export class ResultPanel extends Part {
     return doc.job === "fill" ? covered(made) : verdict(made);
   }
 
+  /** Where the wire fails; pressed, the words mark the places. */
+  private faults(made: Made | null) {
+    return (["tight", "penetrating"] as const).map((fault) => {
+      const places = made?.finished.faults?.[fault].length;
+      const words = places === undefined ? DASH : faultWords(fault, places);
+      const press = (): void => void (this.marked = this.marked === fault ? null : fault);
+      return html`<div class="wide">
+        <dt>${FAULTS[fault]}</dt>
+        <dd class="fault">${places ? html`<button title="Mark on the stage" aria-pressed=${String(this.marked === fault)} @click=${press}>${words}</button>` : words}</dd>
+      </div>`;
+    });
+  }
+
   private numbers(made: Made | null): readonly Figure[] {
     const measures = made?.finished.measures;
     const points = measures?.control_points ?? (this.wire ? this.wire.controlPoints.length / 4 : 0);
@@ -167,6 +210,12 @@ export class ResultPanel extends Part {
       ["Pieces", measures ? count(measures.components) : DASH],
       ["Length", measures ? measures.length.toFixed(1) : DASH],
       ["Control points", points ? count(points) : DASH],
+      ["Over its lines", known(measures?.length_over_lines, (ratio) => `${ratio.toFixed(2)} ×`)],
+      ["Turning", known(measures?.turning_per_unit, (turning) => turning.toFixed(1))],
+      ["Kinks", known(measures?.kinks, count)],
+      ["Bent tightly", known(measures?.tight_share, percent)],
+      ["Touching", known(measures?.touching_share, percent)],
+      ["Within itself", known(measures?.penetrating_share, percent)],
       ["Time", made?.seconds ? `${made.seconds.toFixed(1)} s` : DASH],
     ];
   }
@@ -179,6 +228,10 @@ export class ResultPanel extends Part {
       ["Off the surface, on average", surface ? worldLength(surface.drift_mean) : DASH],
     ];
   }
+}
+
+function known(value: number | null | undefined, words: (value: number) => string): string {
+  return value == null ? DASH : words(value);
 }
 
 function matchOf(view: Made["finished"]["measures"]["views"][number]): Match {

@@ -3,6 +3,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import type { BodyShape } from "../../embed/body";
 import { LOOK_NAMES, lookOf, type LookName } from "../../embed/looks";
+import type { Vec3 } from "../../embed/matrix";
 import type { WireShape } from "../../embed/shape";
 import { Stage, StageUnavailable, type Vantage, type ViewName } from "../../embed/stage";
 import type { Job } from "../../engine/protocol";
@@ -99,6 +100,7 @@ export class WireStage extends Part {
   @state() private life = 0;
   private stage: Stage | null = null;
   private wire: WireShape | null = null;
+  private places: readonly Vec3[] | null = null;
   private swaying = true;
   /** Whether a worker draws; where it turns out not to be able to, the page does. */
   private aside = typeof Worker === "function" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
@@ -355,6 +357,12 @@ export class WireStage extends Part {
     this.stage?.setWire(wire);
   }
 
+  /** Rings round these places; null for none. */
+  mark(places: readonly Vec3[] | null): void {
+    this.places = places;
+    this.stage?.mark(places);
+  }
+
   flyTo(view: ViewName): void {
     this.stage?.flyTo(view);
   }
@@ -415,6 +423,7 @@ export class WireStage extends Part {
       if (this.body) this.stage.setBody(this.body);
       this.stage.seeThrough(this.through);
       this.stage.setWire(this.wire);
+      this.stage.mark(this.places);
       this.stage.sway(this.swaying);
     } catch (error) {
       if (!(error instanceof StageUnavailable)) console.error(error);
