@@ -7,9 +7,10 @@ use super::engine::engine;
 use super::fit::{dev, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
+use super::widths::width_bounds;
 use crate::metrics::{BentReport, ResultReport, length_over_lines, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::{Problem, Session, WidthBounds, wait};
+use crate::optimize::{Problem, Session, wait};
 use crate::picture::{Ink, Picture, ink};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
@@ -188,7 +189,7 @@ impl Plan {
     fn problem(&self, wire: Wire, targets: Vec<Target>, settings: &Settings) -> Problem {
         let px = self.world_per_px_256();
         Problem {
-            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
+            width: width_bounds(&targets, px, settings),
             seed: settings.seed,
             ..Problem::for_drawings(wire, targets, recipe(settings))
         }

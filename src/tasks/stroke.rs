@@ -14,7 +14,8 @@ use super::engine::engine;
 use super::fit::recipe;
 use super::run::Placed;
 use super::saved::SavedRun;
-use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, WidthBounds, wait};
+use super::widths::width_bounds;
+use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, wait};
 use crate::picture::{Ink, OBJECT_PX, Object, Picture, find_object};
 use crate::rng::Rng;
 use crate::sculpture::render_sampled;
@@ -288,7 +289,7 @@ impl Plan {
         }
         Problem {
             view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
-            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
+            width: width_bounds(&self.targets[..1], px, settings),
             seed: settings.seed,
             ..Problem::for_drawings(wire, self.fitted(first, iteration, settings), recipe)
         }
