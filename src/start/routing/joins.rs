@@ -53,6 +53,14 @@ impl Prices {
         Prices { of, most }
     }
 
+    /// What a walk costs.
+    pub fn along(&self, walk: &[u32], length: impl Fn(u32, u32) -> f32) -> f32 {
+        let step =
+            |step: &[u32]| 0.5 * (self.of[step[0] as usize] + self.of[step[1] as usize]) * length(step[0], step[1]);
+        walk.windows(2).map(step).sum()
+    }
+
+    /// Searches from `source` as far as `limit`.
     pub fn search(&self, shortest: &mut Shortest, neighbours: &[(isize, f32)], source: u32, limit: f32) {
         shortest.search(neighbours, |voxel| self.of[voxel], [1.0, self.most], &[source], limit);
     }

@@ -4,6 +4,7 @@
 mod joins;
 mod matching;
 mod prune;
+mod shorten;
 
 use super::Path;
 use super::grid::Grid;
@@ -65,14 +66,17 @@ impl Circuit {
             return Circuit { voxels: vec![tree.root; 2], pruned: Vec::new(), joins: Vec::new() };
         }
         let across = grid.plane_size.iter().map(|size| size[1]).max().unwrap_or(64) as f32;
-        let pruned = prune::pruned(grid, tree, options.slack_px_at_128 * across / 128.0);
+        let slack_px = options.slack_px_at_128 * across / 128.0;
+        let pruned = prune::pruned(grid, tree, slack_px);
         let mut voxels: Vec<u32> = pruned.iter().flatten().copied().collect();
         voxels.sort_unstable();
         voxels.dedup();
         let prices = Prices::new(grid, tree, &voxels, options);
         let joins = joins::joins(grid, &pruned, &prices);
         let (steps, joins) = without_pairs(&pruned, joins);
-        Circuit { voxels: closed_walk(grid, &steps, options.hairpin_price), pruned, joins }
+        let walk = closed_walk(grid, &steps, options.hairpin_price);
+        let cover = prune::Cover::new(grid, tree, slack_px);
+        Circuit { voxels: shorten::shortened(grid, walk, cover, &prices), pruned, joins }
     }
 
     /// The smoothed path along it.
