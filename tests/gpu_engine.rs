@@ -9,7 +9,7 @@ use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
 use std::f64::consts::PI;
 use wire4d::Error;
 use wire4d::gpu::{Absence, Device, FaultKind, GpuEngine, Kind, SELF_CHECK_BARS, parities, self_check};
-use wire4d::objective::Pyramid;
+use wire4d::objective::{Neighbours, Pyramid};
 use wire4d::optimize::{
     Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, SceneView, Session, State, Step,
     Tally, Work, term_count, wait,
@@ -260,6 +260,9 @@ impl Engine for Crooked {
     }
     fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
         self.0.set_planes(planes);
+    }
+    fn set_neighbours(&mut self, neighbours: Neighbours) {
+        self.0.set_neighbours(neighbours);
     }
     fn evaluate<'a>(
         &'a mut self,

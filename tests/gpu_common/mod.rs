@@ -103,5 +103,6 @@ pub fn step() -> Step {
         width_bounds: [0.01, 0.1],
         loss_scale: 1.0,
         gradient_share: 0.5,
+        ..Step::default()
     }
 }
