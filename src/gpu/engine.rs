@@ -183,7 +183,9 @@ impl Engine for GpuEngine {
     fn set_neighbours(&mut self, neighbours: Neighbours) {
         match &mut self.now {
             Now::Processor(cpu) => cpu.set_neighbours(neighbours),
-            Now::Device(_) => {
+            Now::Device(pipeline) => {
+                // Likewise.
+                let _ = pipeline.set_neighbours(&neighbours);
                 if let Some(scene) = &mut self.scene {
                     scene.neighbours = neighbours;
                 }
