@@ -78,11 +78,8 @@ fn the_engines_gradient_of_bending_and_clearance_agrees_with_differences() {
         (elastic, clearance),
     ] {
         let mut engine = CpuEngine::new();
-        let scene = Scene {
-            nodes: Some(nodes.clone()),
-            neighbours: neighbours.clone(),
-            ..Scene::new(&wire, 2, views.clone())
-        };
+        let scene =
+            Scene { nodes: Some(nodes.clone()), neighbours: neighbours.clone(), ..Scene::new(&wire, 2, views.clone()) };
         wire4d::optimize::wait(wire4d::optimize::Engine::load(&mut engine, scene).done());
         let step = Step { elastic, clearance, level_ratio: 0.5, ..Step::default() };
         let mut at = |points: &[[f32; 4]]| {
@@ -124,9 +121,12 @@ fn points_are_laid_anew_and_the_last_wire_is_the_result() {
     assert!(losses("bending").iter().all(|&loss| loss > 0.0));
     assert_eq!(losses("tightness")[0], 0.0, "ramped in");
     // The best wire is the one before the last step.
-    let gap = session.best().control_points().iter().zip(session.wire().control_points()).map(|(a, b)| {
-        (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max)
-    });
+    let gap = session
+        .best()
+        .control_points()
+        .iter()
+        .zip(session.wire().control_points())
+        .map(|(a, b)| (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max));
     assert!(gap.fold(0.0, f64::max) < 0.05);
 }
 
@@ -158,19 +158,43 @@ fn adversarial() -> Vec<(&'static str, Wire)> {
     vec![
         ("a knot", {
             let trefoil = |a: f64| [a.sin() + 2.0 * (2.0 * a).sin(), a.cos() - 2.0 * (2.0 * a).cos(), -(3.0 * a).sin()];
-            closed((0..40).map(|i| trefoil(turn(f64::from(i) / 40.0))).map(|[x, y, z]| [0.2 * x, 0.2 * y, 0.2 * z, 0.05]).collect())
+            closed(
+                (0..40)
+                    .map(|i| trefoil(turn(f64::from(i) / 40.0)))
+                    .map(|[x, y, z]| [0.2 * x, 0.2 * y, 0.2 * z, 0.05])
+                    .collect(),
+            )
         }),
         ("a coil within its own diameter", {
-            let coil = |i: i32| [0.02 * turn(f64::from(i) / 8.0).cos(), 0.02 * turn(f64::from(i) / 8.0).sin(), 0.004 * f64::from(i) - 0.2, 0.06];
+            let coil = |i: i32| {
+                [
+                    0.02 * turn(f64::from(i) / 8.0).cos(),
+                    0.02 * turn(f64::from(i) / 8.0).sin(),
+                    0.004 * f64::from(i) - 0.2,
+                    0.06,
+                ]
+            };
             Wire::open_uniform((0..100).map(coil).collect()).unwrap()
         }),
         ("coincident strands", {
             let there = |i: i32| f64::from(if i < 20 { i } else { 40 - i }) * 0.04 - 0.4;
             closed((0..40).map(|i| [there(i), 0.1 * rng.range(-1e-9, 1e-9), 0.0, 0.04]).collect())
         }),
-        ("a straight line", Wire::open_uniform((0..12).map(|i| [0.08 * f64::from(i) - 0.4, 0.0, 0.0, 0.03]).collect()).unwrap()),
+        (
+            "a straight line",
+            Wire::open_uniform((0..12).map(|i| [0.08 * f64::from(i) - 0.4, 0.0, 0.0, 0.03]).collect()).unwrap(),
+        ),
         ("one point", closed(vec![[0.1, 0.1, 0.1, 0.03]; 8])),
-        ("as few points as there can be", Wire::open_uniform(vec![[-0.3, 0.0, 0.0, 0.03], [0.0, 0.3, 0.0, 0.03], [0.1, 0.0, 0.2, 0.03], [0.3, -0.2, 0.0, 0.03]]).unwrap()),
+        (
+            "as few points as there can be",
+            Wire::open_uniform(vec![
+                [-0.3, 0.0, 0.0, 0.03],
+                [0.0, 0.3, 0.0, 0.03],
+                [0.1, 0.0, 0.2, 0.03],
+                [0.3, -0.2, 0.0, 0.03],
+            ])
+            .unwrap(),
+        ),
     ]
 }
 

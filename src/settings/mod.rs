@@ -321,7 +321,7 @@ settings! {
     Wire /// Thinnest the wire may get, as seen in a picture of 256 px.
     min_width: f64 = 1.5, "px at 256", Number { min: 0.0, max: 64.0 };
     Wire /// Thickest the wire may get, as seen in a picture of 256 px.
-    max_width: f64 = 4.0, "px at 256", Number { min: 0.1, max: 128.0 };
+    max_width: f64 = 8.0, "px at 256", Number { min: 0.1, max: 128.0 };
 
     Views /// Try which drawing goes where, mirrored or turned, and keep what agrees best.
     arrange: OnOff = OnOff::On, "", Choice { choices: OnOff::WORDS };
@@ -506,11 +506,12 @@ impl Settings {
             arrange: OnOff::Off,
             ..Settings::drawings(preset, OnOff::Off)
         };
-        // The first wire lies along the lines already: small steps keep it there.
+        // The first wire lies along the lines already: small steps keep it there, but for the ends of lines that must open.
+        let (iterations, position_rate) = if smooth == OnOff::On { (400, 0.5) } else { (320, 0.2) };
         let best = Settings {
-            iterations: 320,
+            iterations,
             spacing: 4.0,
-            position_rate: 0.2,
+            position_rate,
             width_rate: 0.08,
             coarse_share: 0.3,
             ..several.clone()
@@ -543,7 +544,7 @@ impl Settings {
             max_width: 7.0,
             position_rate: 0.2,
             width_rate: 0.1,
-            smoothness: 6.0,
+            smoothness: if smooth == OnOff::On { 1.0 } else { 6.0 },
             coarse_share: 0.0,
             level_weight: 1.0,
             ..several.clone()

@@ -194,7 +194,10 @@ mod tests {
             other => panic!("{other:?}"),
         };
         assert_eq!(refused(Task::Stroke, "start", "tree"), ("start".into(), "give contour or hull or ball".into()));
-        assert_eq!(refused(Task::Multiview, "start", "contour"), ("start".into(), "give circuit or tree or hull or ball".into()));
+        assert_eq!(
+            refused(Task::Multiview, "start", "contour"),
+            ("start".into(), "give circuit or tree or hull or ball".into())
+        );
         assert_eq!(refused(Task::Stroke, "bend", "free"), ("bend".into(), "give none".into()));
         assert!(Task::Stroke.settings([("bend", "none"), ("arrange", "off"), ("start", "ball")]).is_ok());
     }

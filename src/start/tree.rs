@@ -45,7 +45,7 @@ impl TreeOptions {
     /// Prices of a tree for [`circuit_path`](super::circuit_path): length is dear, and paths that draw in several views at
     /// once are cheap.
     pub fn for_circuit() -> TreeOptions {
-        TreeOptions { step_price: 0.5, met_price: 0.4, ..TreeOptions::default() }
+        TreeOptions { step_price: 0.5, met_price: 0.4, stray_price: 10.0, ..TreeOptions::default() }
     }
 }
 

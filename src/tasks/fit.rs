@@ -48,44 +48,36 @@ const WIDE_UNTIL: f64 = 0.45;
 /// pixels of a 256 px picture, lengths in pixels of one.
 const LENGTH: [f64; 2] = [0.1, 0.02];
 const JERK_WIDTH: f64 = 20.0;
-
-pub(super) fn dev(name: &str, default: f64) -> f64 {
-    let all = std::env::var("W4D").unwrap_or_default();
-    all.split(',').filter_map(|pair| pair.split_once('=')).find(|(key, _)| *key == name).map_or(default, |(_, value)| value.parse().unwrap())
-}
+/// From which share of the run on drawings bend, and how far an update moves them at first, px of a 256 px picture.
+const BENDING_FROM: f64 = 0.4;
+const BENDING_PX: f64 = 0.07;
 
 /// Whatever makes a wire a wire.
 fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
     let pixels = 256.0 * 256.0;
     let smooth = Smooth::default();
     recipe.smooth = Some(Smooth {
-        bending: Schedule::Geometric { from: dev("wb0", 100.0), to: dev("wb1", 3.0), until: dev("wbt", 0.7) },
-        cusp_radius_px: dev("cusp", 2.0),
-        tightness: Schedule::Piecewise(vec![[0.1, 0.0], [dev("wtt", 0.6), dev("wt", 6.0) * settings.tightness], [0.9, dev("wt", 6.0) * settings.tightness], [1.0, dev("wt2", dev("wt", 6.0) * settings.tightness)]]),
-        least_radius_px: dev("r0", 4.5),
-        least_radius_diameters: dev("rd", settings.bend_radius),
-        clearance: Schedule::Piecewise(vec![[0.1, 0.0], [0.6, settings.clearance * dev("wc", 15.0)]]),
-        clearance_diameters: dev("cd", 1.25),
-        least_clearance_px: dev("c0", 3.2),
-        one_strand: dev("gap", 2.0),
-        evenness: dev("we", 2.0),
-        nodes_per_span: dev("nodes", 3.0) as usize,
+        bending: smooth.bending.scaled(settings.smoothness),
+        tightness: smooth.tightness.scaled(settings.tightness),
+        clearance: smooth.clearance.scaled(settings.clearance),
+        least_radius_diameters: settings.bend_radius,
         ..smooth
     });
     // A step goes where the gradient points, not along the axes; pictures change under it, so it forgets fast.
     recipe.adam = AdamOptions { beta1: 0.9, beta2: 0.98, epsilon: 3e-6, second_moment: SecondMoment::PerPoint };
-    recipe.adam.beta2 = dev("b2", 0.98);
     recipe.position_rate_px = Schedule::Cosine { from: settings.position_rate, to: 0.025 * settings.position_rate };
     recipe.width_rate_px = Schedule::Cosine { from: settings.width_rate, to: 0.07 * settings.width_rate };
     recipe.jerk_position = Schedule::Constant(0.0);
-    recipe.jerk_width = Schedule::Constant(dev("jw", JERK_WIDTH) * 128.0 * 128.0 / pixels);
+    recipe.jerk_width = Schedule::Constant(JERK_WIDTH * 128.0 * 128.0 / pixels);
     recipe.length =
-        Schedule::Piecewise([0.0, 1.0].into_iter().zip([dev("wl0", LENGTH[0]), dev("wl1", LENGTH[1])]).map(|(t, w)| [t, w * 128.0 / pixels]).collect());
+        Schedule::Piecewise([0.0, 1.0].into_iter().zip(LENGTH).map(|(t, w)| [t, w * 128.0 / pixels]).collect());
     for stage in &mut recipe.stages {
         (stage.raster, stage.restarts) = (RasterKind::Exact, Vec::new());
         stage.samples_per_span = settings.samples;
     }
-    if settings.control_points == 0 {
+    let laid_roughly =
+        matches!(settings.start, settings::Start::Circuit | settings::Start::Tree | settings::Start::Hull);
+    if settings.control_points == 0 && laid_roughly {
         recipe.topology.extend(RESPACED.map(|share| {
             let wider = if share < WIDE_UNTIL { WIDE } else { 1.0 };
             let edit = TopologyEdit::Respace(Respace { spacing_px: wider * settings.spacing });
@@ -93,14 +85,20 @@ fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
         }));
     }
     if let Some(bending) = &mut recipe.bending {
-        bending.from = dev("bf", 0.4);
-        bending.rate_px = Schedule::Piecewise(vec![[0.0, dev("br", 0.08)], [1.0, 0.0]]);
+        // First the wire finds its place. It may not meet every corner, and drawings should not chase it.
+        bending.from = BENDING_FROM;
+        bending.rate_px = Schedule::Piecewise(vec![[0.0, BENDING_PX], [1.0, 0.0]]);
     }
 }
 
 /// The same course, beginning with `value`.
 fn starting_at(schedule: &Schedule, value: f64) -> Schedule {
     schedule.scaled(value / schedule.at(0.0))
+}
+
+/// A schedule's last value from the start: for wires that begin where they belong.
+pub(super) fn at_once(schedule: &Schedule) -> Schedule {
+    Schedule::Constant(schedule.at(1.0))
 }
 
 /// How the targets bend during the fit.

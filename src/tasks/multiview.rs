@@ -4,7 +4,7 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::engine::engine;
-use super::fit::{dev, recipe};
+use super::fit::recipe;
 use super::run::Placed;
 use super::saved::SavedRun;
 use super::widths::width_bounds;
@@ -15,7 +15,8 @@ use crate::picture::{Ink, Picture, ink};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
-    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
+    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement,
+    TrailOptions, TreeOptions,
 };
 use crate::view::{Image, Target, ViewSpec};
 use crate::wire::{Form, Wire};
@@ -208,7 +209,10 @@ impl Plan {
         progress: &mut dyn FnMut(f32) -> bool,
     ) -> Result<Wire> {
         let px = self.world_per_px_256();
-        let path = self.first_path(targets, settings, progress)?;
+        let mut path = self.first_path(targets, settings, progress)?;
+        if settings.smooth == OnOff::On {
+            start::jittered(&mut path, JITTER_PX * px, settings.seed);
+        }
         let wire = match settings.control_points {
             // The points of the tour are the control points (the paper's choice).
             _ if settings.start == Start::Ball => Wire::open_uniform(path.points)?,
@@ -231,9 +235,8 @@ impl Plan {
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
             Start::Circuit => {
-                let tree = TreeOptions { across: settings.grid / 2 * 2, step_price: dev("step", 0.5) as f32, met_price: dev("met", 0.4) as f32, ..TreeOptions::default() };
-                let mut c = CircuitOptions::default(); c.stray_price = dev("stray", 8.0) as f32; c.again_price = dev("again", 0.2) as f32; c.slack_px_at_128 = dev("slack", 1.0) as f32;
-                start::circuit_path(targets, *half_extents_world, &tree, &c, progress)
+                let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::for_circuit() };
+                start::circuit_path(targets, *half_extents_world, &tree, &CircuitOptions::default(), progress)
             }
             Start::Tree | Start::Contour | Start::Stripes | Start::Tour => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
@@ -257,6 +260,8 @@ impl Plan {
 /// Control points of the first wire where the start chooses: dense drawings get wider spacing, so that a run stays within
 /// about ten seconds on two cores.
 const MOST_FIRST_POINTS: f64 = 3200.0;
+/// How far strands that lie on one another are moved apart before the fit, px of a 256 px picture.
+const JITTER_PX: f64 = 0.7;
 /// The paper's largest number of points.
 const BALL_POINTS: usize = 220;
 

@@ -11,15 +11,15 @@
 //! silhouette: inside it a blank pixel costs about as much as an inked one, while ink beside the solid costs the most.
 
 use super::engine::engine;
-use super::fit::recipe;
+use super::fit::{at_once, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
 use super::widths::width_bounds;
-use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, wait};
+use crate::optimize::{Problem, Refine, Schedule, Seen, Session, TopologyEdit, wait};
 use crate::picture::{Ink, OBJECT_PX, Object, Picture, find_object};
 use crate::rng::Rng;
 use crate::sculpture::render_sampled;
-use crate::settings::{Preset, Settings, Shading, Start, Task};
+use crate::settings::{OnOff, Preset, Settings, Shading, Start, Task};
 use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
 use crate::view::{Image, Target, View, ViewSpec};
 use crate::wire::{Form, Wire};
@@ -213,6 +213,11 @@ fn side_views(turn: u64, settings: &Settings) -> Vec<View> {
     each.collect()
 }
 
+/// Weight of bending: the first wire lies along the lines already.
+const BENDING: f64 = 4.0;
+/// How far strands that lie on one another are moved apart before the fit, px of a 256 px picture.
+const JITTER_PX: f64 = 1.0;
+
 impl Plan {
     /// What a person should know before the run, in plain words.
     pub fn notes(&self) -> &[String] {
@@ -230,7 +235,10 @@ impl Plan {
         let tour_width = TOUR_WIDTH_PX * px;
         let wire = match settings.start {
             Start::Contour => {
-                let path = self.lines.walk(&self.solid, settings.min_width.max(THIN_PX) * px);
+                let mut path = self.lines.walk(&self.solid, settings.min_width.max(THIN_PX) * px);
+                if settings.smooth == OnOff::On {
+                    start::jittered(&mut path, JITTER_PX * px, settings.seed);
+                }
                 let finest = start::length(&path) / MOST_FIRST_POINTS;
                 match settings.control_points {
                     0 => start::wire_along(&path, (settings.spacing * px).max(finest))?,
@@ -280,6 +288,11 @@ impl Plan {
         let sides = &self.targets[1..];
         let side_weight = settings.side_weight / sides.len().max(1) as f64;
         let mut recipe = recipe(settings);
+        if let Some(smooth) = &mut recipe.smooth {
+            smooth.bending = Schedule::Constant(BENDING * settings.smoothness);
+            smooth.tightness = at_once(&smooth.tightness);
+            smooth.clearance = at_once(&smooth.clearance);
+        }
         if settings.preset == Preset::Paper {
             for event in &mut recipe.topology {
                 if let TopologyEdit::Refine(refine) = &mut event.edit {

@@ -40,15 +40,16 @@ const PIXELS: f64 = 256.0 * 256.0;
 
 impl Default for Smooth {
     fn default() -> Self {
+        // While the wire finds its place it is stiff, and may pass through itself.
         let ramped = |value: f64| Schedule::Piecewise(vec![[0.1, 0.0], [0.6, value]]);
         Smooth {
-            bending: Schedule::Geometric { from: 100.0, to: 3.0, until: 0.7 },
+            bending: Schedule::Geometric { from: 100.0, to: 8.0, until: 0.7 },
             cusp_radius_px: 2.0,
             tightness: ramped(6.0),
-            least_radius_px: 4.5,
+            least_radius_px: 4.2,
             least_radius_diameters: 1.5,
-            clearance: ramped(15.0),
-            clearance_diameters: 1.25,
+            clearance: ramped(40.0),
+            clearance_diameters: 1.15,
             least_clearance_px: 3.2,
             one_strand: 2.0,
             evenness: 2.0,

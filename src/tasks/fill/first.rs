@@ -24,7 +24,7 @@ fn width_wanted(settings: &Settings) -> f64 {
 }
 
 /// World units in the pixel that widths are given in.
-fn width_unit(settings: &Settings) -> f64 {
+pub(super) fn width_unit(settings: &Settings) -> f64 {
     world_per_px(settings) * settings.size as f64 / 256.0
 }
 

@@ -12,7 +12,7 @@ mod motif;
 mod texture;
 
 use super::engine::engine;
-use super::fit::recipe;
+use super::fit::{at_once, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
 use crate::Result;
@@ -20,13 +20,13 @@ use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::model::Mended;
 use crate::objective::Texture;
-use crate::optimize::{Problem, Seen, Session, Surface, wait};
+use crate::optimize::{Problem, Schedule, Seen, Session, Surface, wait};
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
 use crate::start::{self, FillOptions, Filling, Guide, Method};
 use crate::view::{Image, Target};
 use crate::wire::Wire;
-use first::width_bounds;
+use first::{width_bounds, width_unit};
 use motif::Motif;
 use std::sync::Arc;
 
@@ -174,6 +174,9 @@ fn world_per_px(settings: &Settings) -> f64 {
     1.0 / view.camera::<f64>().pixels_per_world(&[0.0; 4])
 }
 
+/// Weight of bending: lines that cover a mesh bend little but for their style.
+const BENDING: f64 = 0.5;
+
 impl Plan {
     /// What a person should know before the run, in plain words.
     pub fn notes(&self) -> &[String] {
@@ -209,6 +212,15 @@ impl Plan {
         let Seen { targets, occluders, texture_masks } = self.looked_at(iteration, settings);
         let share = 1.0 / targets.len() as f64;
         let mut recipe = recipe(settings);
+        if let Some(smooth) = &mut recipe.smooth {
+            smooth.bending = Schedule::Constant(BENDING * settings.smoothness);
+            smooth.tightness = at_once(&smooth.tightness);
+            smooth.clearance = at_once(&smooth.clearance);
+            // Dense lines lie side by side: only what passes through another is too near.
+            smooth.clearance_diameters = 1.0;
+            smooth.least_clearance_px =
+                smooth.least_clearance_px.min(0.5 * settings.curve_spacing / width_unit(settings));
+        }
         let strength = if self.motif.is_some() { settings.style_strength } else { 0.0 };
         recipe.position_rate_px = recipe.position_rate_px.scaled(STILL + (1.0 - STILL) * strength);
         Problem {

@@ -6,6 +6,7 @@ import { Part } from "../../view/part";
 import { segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
 import { settingChoice } from "./setting-choice";
+import { wireChoice } from "./wire-choice";
 
 const BENDS: Readonly<Record<string, string>> = {
   none: "The drawings stay exactly as they are",
@@ -13,7 +14,7 @@ const BENDS: Readonly<Record<string, string>> = {
   free: "Lines may move as far as it takes",
 };
 
-/** The two choices that matter most: how much to spend, and how far the drawings may bend. */
+/** The choices that matter most: how much to spend, how calm the wire is, and how far the drawings may bend. */
 @customElement("run-choices")
 export class RunChoices extends Part {
   @property({ attribute: false }) studio!: Studio;
@@ -37,6 +38,7 @@ export class RunChoices extends Part {
   override render() {
     return html`
       ${settingChoice(this.studio, this.state, "preset", "best")}
+      ${wireChoice(this.studio, this.state)}
       ${this.state.doc.job === "multiview"
         ? html`<div>
             ${settingChoice(this.studio, this.state, "bend", "little")}

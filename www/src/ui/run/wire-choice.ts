@@ -1,0 +1,34 @@
+/** How much of a wire the wire is: from one that follows every line of the pictures to a calm one. */
+
+import type { Studio, StudioState } from "../../state/studio";
+import { segmented } from "../shared/segmented";
+
+const LINES = "lines";
+/** Words and weight of bending, by choice. */
+const CHOICES: Readonly<Record<string, readonly [words: string, smoothness: string]>> = {
+  [LINES]: ["Every line", "1"],
+  close: ["Close", "0.3"],
+  even: ["Smooth", "1"],
+  calm: ["Calm", "4"],
+};
+
+export function wireChoice(studio: Studio, { phase }: StudioState) {
+  const { options } = studio;
+  const smoothness = Number(options.value("smoothness") || 1);
+  const nearest = Object.keys(CHOICES)
+    .slice(1)
+    .reduce((a, b) => (ratio(b, smoothness) < ratio(a, smoothness) ? b : a));
+  return segmented({
+    legend: "Wire",
+    name: "wire",
+    options: Object.entries(CHOICES).map(([value, [words]]) => ({ value, words })),
+    value: options.value("smooth") === "off" ? LINES : nearest,
+    locked: phase !== "idle",
+    choose: (value) => options.setAll({ smooth: value === LINES ? "off" : "on", smoothness: CHOICES[value]![1] }, "Set the wire", "set wire"),
+  });
+}
+
+/** How far a weight is from a choice's. */
+function ratio(choice: string, smoothness: number): number {
+  return Math.abs(Math.log(Number(CHOICES[choice]![1]) / Math.max(smoothness, 1e-3)));
+}
