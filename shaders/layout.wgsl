@@ -37,6 +37,22 @@ struct Step {
     gradient_share: f32,
     surface: f32,
     texture: f32,
+    /// What bending costs, then clearance; the weights are 0 where a term is off.
+    bending: f32,
+    cusp_radius: f32,
+    tightness: f32,
+    least_radius: f32,
+    least_diameters: f32,
+    evenness: f32,
+    even_speed: f32,
+    /// Below it curvature is taken for less than it is.
+    standstill: f32,
+    clearance: f32,
+    clearance_diameters: f32,
+    least_clearance: f32,
+    mean_speed: f32,
+    /// 1 where the last points are the best ones.
+    keeps_last: u32,
 }
 
 struct View {
@@ -87,6 +103,9 @@ struct Scene {
     /// Where the texture's losses lie among the partial sums, and how many levels of it each view has.
     texture_partial: u32,
     texture_levels: u32,
+    /// Where the nodes' losses lie among the partial sums, four a workgroup, and how many nodes there are.
+    node_partial: u32,
+    nodes: u32,
     /// Regular polygons: first normal, sides, circumscribed over inscribed radius, tangent of half a side's angle.
     rings: array<vec4f, 35>,
     view: array<View, 64>,
@@ -139,6 +158,16 @@ struct TextureLevel {
     /// One over the weights' sum, 0 where nothing counts, and over the sum of their products at each shift.
     inverse_weight: f32,
     inverse_pairs: array<f32, 5>,
+}
+
+/// A place where integrals along the curve are taken: how it and the curve's derivatives there come from four control
+/// points, and how much of the parameter it stands for.
+struct Node {
+    place: vec4f,
+    first_derivative: vec4f,
+    second_derivative: vec4f,
+    first: u32,
+    step: f32,
 }
 
 /// How a node's two pieces meet. Index 0 is the side with the axis turned from x to y, index 1 the other.
@@ -195,40 +224,48 @@ struct Shape {
 @group(0) @binding(15) var<storage, read> texture_levels: array<TextureLevel>;
 /// Filters, wanted statistics and weights of the texture; see texture.wgsl.
 @group(0) @binding(16) var<storage, read> texture_given: array<f32>;
+@group(0) @binding(17) var<storage, read> nodes: array<Node>;
+/// Which nodes each control point has a part in: where their lists begin and the last one ends, then the lists.
+@group(0) @binding(18) var<storage, read> point_nodes: array<u32>;
+/// Which nodes may come too near each node, likewise.
+@group(0) @binding(19) var<storage, read> neighbours: array<u32>;
 
 /// Control points, then their first moments, then their second.
-@group(0) @binding(17) var<storage, read_write> state: array<vec4f>;
+@group(0) @binding(20) var<storage, read_write> state: array<vec4f>;
 /// The lowest image loss so far and 1 where this iteration has it; then the points that have it.
-@group(0) @binding(18) var<storage, read_write> best: array<vec4f>;
+@group(0) @binding(21) var<storage, read_write> best: array<vec4f>;
 /// Running means of the length of the image gradient to each point's position.
-@group(0) @binding(19) var<storage, read_write> gradient_norms: array<f32>;
-@group(0) @binding(20) var<storage, read_write> samples: array<vec4f>;
+@group(0) @binding(22) var<storage, read_write> gradient_norms: array<f32>;
+@group(0) @binding(23) var<storage, read_write> samples: array<vec4f>;
 /// x, y and radius in pixels, and 1 where it is drawn.
-@group(0) @binding(21) var<storage, read_write> vertices: array<vec4f>;
-@group(0) @binding(22) var<storage, read_write> joints: array<Joint>;
-@group(0) @binding(23) var<storage, read_write> shapes: array<Shape>;
+@group(0) @binding(24) var<storage, read_write> vertices: array<vec4f>;
+@group(0) @binding(25) var<storage, read_write> joints: array<Joint>;
+@group(0) @binding(26) var<storage, read_write> shapes: array<Shape>;
 /// See cells.wgsl.
-@group(0) @binding(24) var<storage, read_write> cells: array<atomic<u32>>;
+@group(0) @binding(27) var<storage, read_write> cells: array<atomic<u32>>;
 /// The same to those that come after and only read: atomic reads would pass caches by.
-@group(0) @binding(24) var<storage, read_write> filled: array<u32>;
+@group(0) @binding(27) var<storage, read_write> filled: array<u32>;
 /// Area sums of all pixels, then what is visible of the left border, row by row.
-@group(0) @binding(25) var<storage, read_write> sums: array<atomic<i32>>;
+@group(0) @binding(28) var<storage, read_write> sums: array<atomic<i32>>;
 /// The same once they are complete.
-@group(0) @binding(25) var<storage, read_write> summed: array<i32>;
-@group(0) @binding(26) var<storage, read_write> coverage: array<f32>;
+@group(0) @binding(28) var<storage, read_write> summed: array<i32>;
+@group(0) @binding(29) var<storage, read_write> coverage: array<f32>;
 /// Level 0 of all views, then the coarser ones: first the difference, then the gradient.
-@group(0) @binding(27) var<storage, read_write> pyramid: array<f32>;
-@group(0) @binding(28) var<storage, read_write> partials: array<f32>;
+@group(0) @binding(30) var<storage, read_write> pyramid: array<f32>;
+@group(0) @binding(31) var<storage, read_write> partials: array<f32>;
 /// Three entries a node: adjoint of its piece's start and end disc by the straight edges, and of itself by its polygon.
-@group(0) @binding(29) var<storage, read_write> d_pieces: array<vec4f>;
-@group(0) @binding(30) var<storage, read_write> d_vertices: array<vec4f>;
-@group(0) @binding(31) var<storage, read_write> d_samples: array<vec4f>;
-@group(0) @binding(32) var<storage, read_write> d_points_image: array<vec4f>;
-@group(0) @binding(33) var<storage, read_write> d_points: array<vec4f>;
-/// A row an iteration: total, views, jerk, length, surface, texture, and how many cell entries were wanted.
-@group(0) @binding(34) var<storage, read_write> terms: array<f32>;
+@group(0) @binding(32) var<storage, read_write> d_pieces: array<vec4f>;
+@group(0) @binding(33) var<storage, read_write> d_vertices: array<vec4f>;
+@group(0) @binding(34) var<storage, read_write> d_samples: array<vec4f>;
+@group(0) @binding(35) var<storage, read_write> d_points_image: array<vec4f>;
+@group(0) @binding(36) var<storage, read_write> d_points: array<vec4f>;
+/// A row an iteration: total, views, jerk, length, surface, texture, bending, tightness, evenness, clearance, and how many
+/// cell entries were wanted.
+@group(0) @binding(37) var<storage, read_write> terms: array<f32>;
 /// Four entries a node: the visible interval of each straight edge, from and to 0 if there is none, from 1 to 0 if there
 /// are several.
-@group(0) @binding(35) var<storage, read_write> visible: array<vec2f>;
+@group(0) @binding(38) var<storage, read_write> visible: array<vec2f>;
 /// What the texture's stages keep, level by level.
-@group(0) @binding(36) var<storage, read_write> texture: array<f32>;
+@group(0) @binding(39) var<storage, read_write> texture: array<f32>;
+/// Adjoints of each node's place, first and second derivative.
+@group(0) @binding(40) var<storage, read_write> d_nodes: array<vec4f>;

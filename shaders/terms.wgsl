@@ -2,7 +2,7 @@
 
 @compute @workgroup_size(256)
 fn add_terms(@builtin(local_invocation_index) local: u32) {
-    let row = now.row * (scene.views + 6u);
+    let row = now.row * (scene.views + 10u);
     var total = 0.0;
     for (var view = 0u; view < scene.views; view++) {
         var image = 0.0;
@@ -28,6 +28,16 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
         }
     }
     path = now.length * sum_up(path, local);
+    var strand = vec4f();
+    if scene.nodes > 0u {
+        for (var loss = 0u; loss < 4u; loss++) {
+            var part = 0.0;
+            for (var group = local; group * GROUP < scene.nodes; group += GROUP) {
+                part += partials[scene.node_partial + 4u * group + loss];
+            }
+            strand[loss] = sum_up(part, local);
+        }
+    }
     if local == 0u {
         var surface = 0.0;
         if scene.planes > 0u {
@@ -37,14 +47,17 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
         for (var i = 0u; i < scene.views * scene.texture_levels; i++) {
             texture_loss += partials[scene.texture_partial + i];
         }
-        terms[row] = total + jerk + path + surface + texture_loss;
+        terms[row] = total + jerk + path + surface + texture_loss + dot(strand, vec4f(1.0));
         terms[row + scene.views + 1u] = jerk;
         terms[row + scene.views + 2u] = path;
         terms[row + scene.views + 3u] = surface;
         terms[row + scene.views + 4u] = texture_loss;
-        terms[row + scene.views + 5u] = f32(atomicLoad(&cells[0]));
+        for (var loss = 0u; loss < 4u; loss++) {
+            terms[row + scene.views + 5u + loss] = strand[loss];
+        }
+        terms[row + scene.views + 9u] = f32(atomicLoad(&cells[0]));
         let loss = (total + texture_loss) * now.loss_scale;
-        let is_best = loss < best[0].x;
+        let is_best = loss < best[0].x || now.keeps_last == 1u;
         best[0] = vec4f(select(best[0].x, loss, is_best), f32(is_best), 0.0, 0.0);
     }
 }

@@ -4,15 +4,15 @@
 mod gpu_common;
 mod optimize_common;
 
-use gpu_common::{device, distance, enclosed, points, scene, step, views};
+use gpu_common::{device, distance, enclosed, neighbours, points, scene, step, views, wiry, with_strands};
 use optimize_common::{mean_iou, perturbed, random_wire, targets_of};
 use std::f64::consts::PI;
 use wire4d::Error;
 use wire4d::gpu::{Absence, Device, FaultKind, GpuEngine, Kind, SELF_CHECK_BARS, parities, self_check};
-use wire4d::objective::Pyramid;
+use wire4d::objective::{Clearance, Elastic, Neighbours, Pyramid};
 use wire4d::optimize::{
-    Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, SceneView, Session, State, Step,
-    Tally, Work, term_count, wait,
+    Adam, CpuEngine, Engine, Picture, Place, Problem, RasterKind, Recipe, Scene, SceneView, Session, Smooth, State,
+    Step, Tally, Work, term_count, wait,
 };
 use wire4d::view::{Image, Occluder, View};
 use wire4d::wire::Wire;
@@ -41,12 +41,9 @@ fn moved(wire: &Wire, change: impl Fn(usize, [f64; 4]) -> [f64; 4]) -> Wire {
     Wire::open_uniform(points).unwrap()
 }
 
-#[test]
-fn an_iteration_agrees_on_random_and_hostile_wires() {
-    let Some(device) = device() else { return };
-    let mut engine = GpuEngine::new(&device, "");
+fn random_and_hostile() -> [(&'static str, Wire); 8] {
     let random = random_wire(30, 1);
-    let hostile = [
+    [
         ("random", random.clone()),
         ("another", random_wire(60, 2)),
         ("off screen", moved(&random, |_, [x, y, z, w]| [x + 9.0, y, z, w])),
@@ -58,8 +55,14 @@ fn an_iteration_agrees_on_random_and_hostile_wires() {
             moved(&random, |i, point| if i % 3 == 0 { point } else { random.control_points()[i / 3 * 3] }),
         ),
         ("huge width", moved(&random, |_, [x, y, z, _]| [x, y, z, 1.5])),
-    ];
-    for (name, wire) in hostile {
+    ]
+}
+
+#[test]
+fn an_iteration_agrees_on_random_and_hostile_wires() {
+    let Some(device) = device() else { return };
+    let mut engine = GpuEngine::new(&device, "");
+    for (name, wire) in random_and_hostile() {
         let (terms, d_points) = evaluate(&mut CpuEngine::new(), &wire, &views(64), &step());
         let (device_terms, device_d_points) = evaluate(&mut engine, &wire, &views(64), &step());
         assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
@@ -155,6 +158,126 @@ fn a_wire_as_long_as_a_filling_agrees() {
     assert!(loss > LOSS && gradient > GRADIENT, "another level weight passes");
 }
 
+/// Bending, tightness, evenness and clearance among the terms of three views.
+const STRAND: std::ops::Range<usize> = 8..12;
+
+#[test]
+fn what_keeps_a_wire_a_wire_agrees_on_random_and_hostile_wires() {
+    let Some(device) = device() else { return };
+    let mut engine = GpuEngine::new(&device, "");
+    let wiry = wiry(1.0);
+    let (elastic, clearance) = (wiry.elastic, wiry.clearance);
+    let off = Elastic { bending: 0.0, tightness: 0.0, evenness: 0.0, ..elastic };
+    // Each alone, then all together.
+    let steps = [
+        Step { elastic: Elastic { bending: elastic.bending, ..off }, ..step() },
+        Step { elastic: Elastic { tightness: elastic.tightness, ..off }, ..step() },
+        Step { elastic: Elastic { evenness: elastic.evenness, ..off }, ..step() },
+        Step { clearance, ..step() },
+        wiry,
+    ];
+    let closed = Wire::closed_uniform(random_wire(40, 3).control_points().to_vec()).unwrap();
+    let there_and_back = moved(&random_wire(30, 1), |i, _| random_wire(30, 1).control_points()[i.abs_diff(15)]);
+    // Bent so little that 1 + ρ²κ² keeps few digits of it.
+    let gentle = moved(&random_wire(30, 1), |i, [_, _, _, w]| {
+        let (sin, cos) = (0.05 * i as f64).sin_cos();
+        [20.0 * cos - 19.5, 20.0 * sin - 1.0, 0.1, w]
+    });
+    let others = [("closed", closed), ("there and back", there_and_back), ("gentle", gentle)];
+    let mut seen = [0.0f32; 4];
+    for (name, wire) in random_and_hostile().into_iter().chain(others) {
+        let scene = with_strands(scene(&wire, &views(32), 2, Pyramid::AveragePool, 3), &wire);
+        // Pictures would hide much.
+        let unseen = scene.views.iter().map(|view| SceneView { weight: 0.0, ..view.clone() }).collect();
+        let bare = Step { jerk_position: 0.0, jerk_width: 0.0, length: 0.0, ..wiry };
+        for scene in [scene.clone(), Scene { views: unseen, ..scene }] {
+            let mut cpu = CpuEngine::new();
+            wait(cpu.load(scene.clone()).done());
+            wait(engine.load(scene.clone()).done());
+            let blind = scene.views[0].weight == 0.0;
+            for (i, &step) in steps.iter().enumerate() {
+                let step = if blind { Step { elastic: step.elastic, clearance: step.clearance, ..bare } } else { step };
+                let [cpu, gpu] =
+                    [&mut cpu as &mut dyn Engine, &mut engine].map(|e| evaluate_loaded(e, &wire, 3, &step));
+                assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
+                let (loss, gradient) = apart(&gpu, &cpu);
+                let strand = distance(&gpu.0[STRAND], &cpu.0[STRAND]);
+                eprintln!("{name}, {i}: loss {loss:.1e}, strand {strand:.1e}, gradient {gradient:.1e}");
+                assert!(
+                    loss <= LOSS && strand <= LOSS && gradient <= GRADIENT,
+                    "{name}, {i}: loss {loss:.1e}, strand {strand:.1e}, gradient {gradient:.1e}"
+                );
+                assert!(gpu.1.as_flattened().iter().all(|d| d.is_finite()));
+                (0..4).for_each(|t| seen[t] += f32::from(gpu.0[STRAND][t] > 0.0));
+                // Sibling: a weight that is a little off is seen.
+                let with = |weight: f32| {
+                    let Step { elastic: e, clearance: c, .. } = step;
+                    let elastic = Elastic {
+                        bending: weight * e.bending,
+                        tightness: weight * e.tightness,
+                        evenness: weight * e.evenness,
+                        ..e
+                    };
+                    Step { elastic, clearance: Clearance { weight: weight * c.weight, ..c }, ..step }
+                };
+                let (other, wrong) = (evaluate_loaded(&mut engine, &wire, 3, &with(1.01)), cpu.0[STRAND].to_vec());
+                if wrong.iter().sum::<f32>() > 0.0 {
+                    assert!(distance(&other.0[STRAND], &wrong) > LOSS, "{name}, {i}: another weight passes");
+                    assert!(!blind || apart(&other, &cpu).1 > GRADIENT, "{name}, {i}: another weight pulls as much");
+                }
+            }
+        }
+    }
+    eprintln!("above 0: {seen:?}");
+    assert!(seen.iter().all(|&count| count > 20.0), "too little is bent, tight, uneven or near: {seen:?}");
+}
+
+#[test]
+fn neighbours_are_exchanged_between_iterations() {
+    let Some(device) = device() else { return };
+    let wire = random_wire(60, 2);
+    let scene = with_strands(scene(&wire, &views(32), 2, Pyramid::AveragePool, 3), &wire);
+    // As they are elsewhere: another number of others.
+    let elsewhere = neighbours(&wire, &points(&perturbed(&wire, 0.2, 5)));
+    let none = Neighbours::none(scene.neighbours.starts.len() - 1);
+    let lists = [none, elsewhere, scene.neighbours.clone()];
+    let engines: [&mut dyn Engine; 2] = [&mut CpuEngine::new(), &mut GpuEngine::new(&device, "")];
+    let [cpu, gpu] = engines.map(|engine| {
+        wait(engine.load(scene.clone()).done());
+        let mut found = vec![evaluate_loaded(engine, &wire, 3, &wiry(1.0))];
+        for neighbours in &lists {
+            engine.set_neighbours(neighbours.clone());
+            found.push(evaluate_loaded(engine, &wire, 3, &wiry(1.0)));
+        }
+        wait(engine.load(Scene { neighbours: lists[1].clone(), ..scene.clone() }).done());
+        found.push(evaluate_loaded(engine, &wire, 3, &wiry(1.0)));
+        // None at all, as a scene starts.
+        wait(engine.load(Scene { neighbours: Neighbours::default(), ..scene.clone() }).done());
+        found.push(evaluate_loaded(engine, &wire, 3, &wiry(1.0)));
+        // A scene without nodes has nothing to exchange.
+        wait(engine.load(Scene { nodes: None, ..scene.clone() }).done());
+        engine.set_neighbours(lists[1].clone());
+        found.push(evaluate_loaded(engine, &wire, 3, &wiry(1.0)));
+        assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
+        found
+    });
+    for (i, (gpu, cpu)) in gpu.iter().zip(&cpu).enumerate() {
+        let (loss, gradient) = apart(gpu, cpu);
+        eprintln!("neighbours {i}: loss {loss:.1e}, gradient {gradient:.1e}, clearance {}", gpu.0[11]);
+        assert!(loss <= LOSS && gradient <= GRADIENT, "{i}: loss {loss:.1e}, gradient {gradient:.1e}");
+    }
+    for found in [&cpu, &gpu] {
+        assert!(found[0] == found[3] && found[2] == found[4], "what is exchanged is what is loaded");
+        assert!(found[1] == found[5] && found[1].0[11] == 0.0, "no neighbours, no push");
+        assert!(found[6].0[STRAND].iter().all(|&term| term == 0.0), "no nodes, nothing to bend");
+    }
+    // Siblings: each list is seen.
+    for (i, j) in [(1, 2), (2, 3), (1, 3), (1, 6)] {
+        let (loss, gradient) = apart(&gpu[i], &cpu[j]);
+        assert!(loss > LOSS && gradient > GRADIENT, "{i} passes for {j}: loss {loss:.1e}, gradient {gradient:.1e}");
+    }
+}
+
 fn problem() -> Problem {
     let wire = random_wire(14, 4);
     let mut recipe = Recipe::best();
@@ -184,6 +307,41 @@ fn a_fit_is_as_good_as_the_processors() {
     assert!((before - cpu).abs() > 0.04, "a fit that does nothing would pass");
 }
 
+#[test]
+fn a_smooth_fit_is_alike_on_both() {
+    let Some(device) = device() else { return };
+    let fitted = |engine: Box<dyn Engine>, smooth: Option<Smooth>| {
+        let mut problem = problem();
+        problem.recipe.smooth = smooth;
+        let mut session = Session::with_engine(problem, engine).unwrap();
+        session.step(usize::MAX);
+        assert!(session.engine_trouble().is_none() && session.is_done());
+        session
+    };
+    let cpu = fitted(Box::new(CpuEngine::new()), Some(Smooth::default()));
+    let gpu = fitted(Box::new(GpuEngine::new(&device, "")), Some(Smooth::default()));
+    let rough = fitted(Box::new(GpuEngine::new(&device, "")), None);
+    let rows = |session: &Session, i: usize| session.history().rows().nth(i).unwrap().to_vec();
+    for i in [0, 60] {
+        let off = distance(&rows(&gpu, i), &rows(&cpu, i));
+        eprintln!("row {i}: {off:.1e}");
+        assert!(off < if i == 0 { LOSS } else { 0.05 }, "row {i}: {off:.1e}");
+    }
+    let points = |session: &Session| gpu_common::points(&session.best());
+    let far = |a: &Session, b: &Session| {
+        let (a, b) = (points(a), points(b));
+        let squares = a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).powi(2));
+        (squares.sum::<f32>() / a.len() as f32).sqrt()
+    };
+    let iou = |session: &Session| mean_iou(&session.best(), &session.problem().targets);
+    let (off, rough_off) = (far(&gpu, &cpu), far(&rough, &cpu));
+    eprintln!("points {off:.1e} apart, {rough_off:.1e} without; soft IoU {} and {}", iou(&gpu), iou(&cpu));
+    assert!(off < 0.2 * rough_off && (iou(&gpu) - iou(&cpu)).abs() < 0.02);
+    let strand = |session: &Session| rows(session, 119)[STRAND].to_vec();
+    eprintln!("{:?} and {:?}", strand(&gpu), strand(&cpu));
+    assert!(distance(&strand(&gpu), &strand(&cpu)) < 0.05);
+}
+
 /// An engine that never finds another device.
 fn engine_of(device: &Device, batch: usize) -> GpuEngine {
     GpuEngine::with_another(device, batch, String::new(), Box::new(|| Work::Done(Err(Absence::NoAdapter))))
@@ -194,7 +352,8 @@ fn the_same_bits_every_time_whatever_the_batch() {
     let Some(device) = device() else { return };
     let wire = random_wire(40, 6);
     let advanced = |engine: &mut dyn Engine, step: Step| {
-        wait(engine.load(scene(&wire, &views(48), 2, Pyramid::Gaussian, 5)).done());
+        let scene = scene(&wire, &views(48), 2, Pyramid::Gaussian, 5);
+        wait(engine.load(with_strands(scene, &wire)).done());
         let mut state = State { points: points(&wire), adam: Adam::new(40) };
         let mut tally = Tally::new(40);
         let mut terms = vec![0.0; 6 * term_count(3)];
@@ -222,6 +381,16 @@ fn the_same_bits_every_time_whatever_the_batch() {
     assert!(off < GRADIENT, "{off:.1e}");
     let other = advanced(&mut CpuEngine::new(), Step { gradient_share: 0.4, ..step() });
     assert!(apart(&first.1, &other.1) > GRADIENT, "another share is seen");
+    // A wire that is more than its pictures is best at the end, though its loss grows.
+    let wiry = wiry(30.0);
+    let last = advanced(&mut engine_of(&device, 6), wiry);
+    assert!(last == advanced(&mut engine_of(&device, 6), wiry) && last == advanced(&mut engine_of(&device, 1), wiry));
+    let cpu = advanced(&mut CpuEngine::new(), wiry);
+    let off = apart(&last.1, &cpu.1);
+    assert!(off < GRADIENT, "{off:.1e}");
+    let image = |row: usize| last.2[row * term_count(3)..][1..4].iter().sum::<f32>();
+    assert!((0..5).any(|row| image(row) < image(5)), "the last one has the lowest loss: this tests nothing");
+    assert!((last.1.best_loss - image(5)).abs() < 1e-6 * image(5), "{} {}", last.1.best_loss, image(5));
 }
 
 #[test]
@@ -260,6 +429,9 @@ impl Engine for Crooked {
     }
     fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
         self.0.set_planes(planes);
+    }
+    fn set_neighbours(&mut self, neighbours: Neighbours) {
+        self.0.set_neighbours(neighbours);
     }
     fn evaluate<'a>(
         &'a mut self,

@@ -4,10 +4,12 @@
 mod gpu_common;
 mod optimize_common;
 
-use gpu_common::{device, distance, enclosed, points, scene, step, views};
+use gpu_common::{device, distance, enclosed, points, scene, step, views, wiry, with_strands};
 use optimize_common::random_wire;
 use wire4d::gpu::{Pipeline, Slot};
-use wire4d::objective::{MultiscaleMse, Pyramid, length_and_gradient, surface_and_gradient};
+use wire4d::objective::{
+    MultiscaleMse, Pyramid, clearance_and_gradient, elastic_and_gradient, length_and_gradient, surface_and_gradient,
+};
 use wire4d::optimize::{Adam, AdamOptions, Scene, SceneView, SecondMoment, Step, term_count};
 use wire4d::rng::Rng;
 use wire4d::view::drop_hidden;
@@ -125,6 +127,42 @@ fn curve_stages_agree() {
         agree("regularisers", &[[terms[4], terms[5], terms[6]]], &[[jerk, length, surface]], LOSS);
         assert!(surface > 0.0 && terms[7] == 0.0, "{terms:?}");
     }
+}
+
+#[test]
+fn stages_of_nodes_agree() {
+    let Some(device) = device() else { return };
+    let mut pipeline = Pipeline::new(&device, 1);
+    let step = wiry(1.0);
+    let (mut near, mut tight) = (0, 0);
+    for wire in wires() {
+        let scene = with_strands(scene(&wire, &views(16), 1, Pyramid::AveragePool, 1), &wire);
+        let (points, nodes) = (points(&wire), scene.nodes.as_ref().unwrap());
+        load(&mut pipeline, &scene, &points);
+        let mut d_points = random(points.len(), 3);
+        pipeline.write(Slot::DPoints, &d_points).unwrap();
+        pipeline.run("pull_nodes", "gather_nodes", &[step], 0).unwrap();
+
+        let maps = [&nodes.place, &nodes.first, &nodes.second];
+        let [place, first, second] = maps.map(|map| {
+            let mut values = Vec::new();
+            map.apply(&points, &mut values);
+            values
+        });
+        let mut d = [0; 3].map(|_| vec![[0.0f32; 4]; nodes.len()]);
+        let [d_place, d_first, d_second] = &mut d;
+        elastic_and_gradient(nodes, [&place, &first, &second], &step.elastic, d_place, d_first, d_second);
+        tight += d_place.iter().filter(|d| d[3] > 0.0).count();
+        let pushed = clearance_and_gradient(&place, &nodes.steps, &scene.neighbours, &step.clearance, d_place);
+        near += usize::from(pushed > 0.0);
+        let found: Vec<[f32; 4]> = pipeline.read(Slot::DNodes, 3 * nodes.len()).unwrap();
+        for (k, (name, d)) in ["d_place", "d_first", "d_second"].into_iter().zip(&d).enumerate() {
+            agree(name, &found.iter().copied().skip(k).step_by(3).collect::<Vec<_>>(), d, GRADIENT);
+        }
+        maps.iter().zip(&d).for_each(|(map, d)| map.apply_transpose(d, &mut d_points));
+        agree("d_points of nodes", &pipeline.read(Slot::DPoints, points.len()).unwrap(), &d_points, GRADIENT);
+    }
+    assert!(near > 1 && tight > 10, "{near} wires near themselves, {tight} nodes tight: this tests little");
 }
 
 #[test]

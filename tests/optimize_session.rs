@@ -8,6 +8,7 @@ use common::{perturbed, random_wire, targets_of};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use wire4d::Error;
+use wire4d::objective::Neighbours;
 use wire4d::optimize::{
     Bending, Checkpoint, CpuEngine, Engine, Event, EventKind, Moment, NewPoint, Picture, Place, Problem, RasterKind,
     Recipe, Refine, Reinit, Scene, SceneView, Seen, Session, Stage, State, Step, Tally, TopologyEdit, TopologyEvent,
@@ -168,6 +169,9 @@ impl Engine for Wrapped {
     }
     fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
         self.inner.set_planes(planes);
+    }
+    fn set_neighbours(&mut self, neighbours: Neighbours) {
+        self.inner.set_neighbours(neighbours);
     }
     fn evaluate<'a>(
         &'a mut self,

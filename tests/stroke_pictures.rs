@@ -3,7 +3,7 @@
 
 use std::path::Path;
 use wire4d::picture::read_picture;
-use wire4d::settings::Settings;
+use wire4d::settings::Task;
 use wire4d::tasks::stroke::{Given, Run, plan};
 
 #[test]
@@ -13,7 +13,7 @@ fn every_picture_reads_from_the_front_and_stays_within_its_solid() {
     pictures.sort();
     assert_eq!(pictures.len(), 10);
     let pairs = [("backend", "cpu"), ("preset", "fast"), ("iterations", "40"), ("size", "128"), ("side-views", "2")];
-    let settings = Settings::from_pairs_over(Settings::stroke_preset, pairs).unwrap();
+    let settings = Task::Stroke.settings(pairs).unwrap();
     let mut wrong = Vec::new();
     for path in pictures {
         assert!(std::fs::metadata(&path).unwrap().len() <= 30_000);

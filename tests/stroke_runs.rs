@@ -2,7 +2,7 @@
 
 use wire4d::metrics::{ResultReport, TimeReport};
 use wire4d::picture::Picture;
-use wire4d::settings::Settings;
+use wire4d::settings::{Settings, Task};
 use wire4d::tasks::stroke::{Given, Plan, Run, plan};
 use wire4d::view::{Image, ViewSpec};
 
@@ -36,7 +36,7 @@ fn letter() -> Picture {
 fn quick(pairs: &[(&str, &str)]) -> Settings {
     let quick = [("backend", "cpu"), ("preset", "fast"), ("iterations", "60"), ("size", "128"), ("side-views", "3")];
     let pairs: Vec<_> = quick.iter().chain(pairs).copied().collect();
-    Settings::from_pairs_over(Settings::stroke_preset, pairs).unwrap()
+    Task::Stroke.settings(pairs).unwrap()
 }
 
 fn planned(picture: Picture, settings: &Settings) -> Plan {
@@ -176,7 +176,7 @@ fn creases_ask_for_the_solids_outline_from_the_sides() {
 #[test]
 fn the_papers_way_runs_and_refines() {
     let pairs = [("preset", "paper"), ("backend", "cpu"), ("iterations", "30"), ("size", "96"), ("side-views", "2")];
-    let settings = Settings::from_pairs_over(Settings::stroke_preset, pairs).unwrap();
+    let settings = Task::Stroke.settings(pairs).unwrap();
     let report = finished(planned(ball(), &settings), &settings).report(TimeReport::default(), false);
     let happened: Vec<_> =
         report.events.iter().map(|event| (event.kind.as_str(), event.iteration)).filter(|it| it.0 != "stage").collect();

@@ -12,7 +12,7 @@ use wgpu::BufferUsages as Usage;
 
 /// Where one of several uniforms may begin: WebGPU's default alignment.
 pub(super) const UNIFORM_STRIDE: usize = 256;
-/// Entries of a node in `d_pieces`.
+/// Entries of a node in `d_pieces` and in `d_nodes`.
 const PULLS: usize = 3;
 
 /// All buffers of a scene, by [`Slot`].
@@ -59,6 +59,10 @@ impl Buffers {
                 Slot::TextureLevels => size_of_val(&*upload.texture.levels),
                 Slot::TextureGiven => size_of_val(&*upload.texture.given),
                 Slot::Texture => 4 * upload.texture.room,
+                Slot::Nodes => size_of_val(&*upload.strand.nodes),
+                Slot::PointNodes => size_of_val(&*upload.strand.point_nodes),
+                Slot::Neighbours => 4 * upload.strand.room(),
+                Slot::DNodes => PULLS * upload.strand.nodes.len() * vec4,
                 Slot::State => 3 * points * vec4,
                 Slot::Best => (1 + points) * vec4,
                 Slot::GradientNorms => 4 * points,
@@ -113,6 +117,9 @@ impl Buffers {
         made.write(device, Slot::Levels, 0, &upload.levels);
         made.write(device, Slot::Circles, 0, &upload.circles);
         made.write(device, Slot::Planes, 0, &upload.planes);
+        made.write(device, Slot::Nodes, 0, &upload.strand.nodes);
+        made.write(device, Slot::PointNodes, 0, &upload.strand.point_nodes);
+        made.write(device, Slot::Neighbours, 0, &upload.strand.neighbours);
         made.write_views(device, upload);
         for level in 0..MOST_LEVELS {
             made.write(device, Slot::Pass, level * UNIFORM_STRIDE, &[level as u32]);

@@ -84,7 +84,7 @@ pub(super) async fn advance(
         adam.second.copy_from_slice(&packed[2 * count..]);
         adam.count += steps.len() as u32;
         let best: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&parts[1]);
-        if best[0][0] < tally.best_loss {
+        if best[0][0] < tally.best_loss || steps.iter().any(Step::keeps_last) {
             tally.best_loss = best[0][0];
             tally.best_points.clear();
             tally.best_points.extend_from_slice(&best[1..]);

@@ -3,6 +3,7 @@
 
 use super::clock::now_ms;
 use super::{Absence, Device, GpuEngine};
+use crate::objective::{Clearance, Elastic, Neighbours};
 use crate::optimize::{
     Adam, AdamOptions, CpuEngine, Engine, Picture, Scene, SceneView, State, Step, Tally, term_count,
 };
@@ -160,7 +161,26 @@ fn example(points: &[[f64; 4]], size_px: usize) -> (Scene, Vec<[f32; 4]>, Step) 
         SceneView::new(view.camera(), target, 1.0)
     };
     let views = View::canonical(2.0, size_px).map(view).to_vec();
-    let scene = Scene::new(&wire, 3, views);
+    let points: Vec<[f32; 4]> = points.iter().map(|point| point.map(|c| c as f32)).collect();
+    let elastic = Elastic {
+        bending: 1e-3,
+        cusp_radius: 0.1,
+        tightness: 0.05,
+        least_radius: 0.3,
+        least_diameters: 4.0,
+        evenness: 1e-2,
+        speed: 0.4,
+    };
+    let clearance = Clearance { weight: 0.1, diameters: 3.0, least_world: 0.1, speed: 0.4 };
+    let nodes = wire.nodes(3);
+    let [places, first] = [&nodes.place, &nodes.first].map(|map| {
+        let mut values = Vec::new();
+        map.apply(&points, &mut values);
+        values
+    });
+    let gap_world = 2.0 * points[points.len() / 2][3].max(0.05);
+    let neighbours = Neighbours::find(&places, &nodes.lengths(&first), false, &clearance, gap_world, 0.0);
+    let scene = Scene { nodes: Some(nodes), neighbours, ..Scene::new(&wire, 3, views) };
     let step = Step {
         rates: [1e-4; 4],
         adam: AdamOptions::default(),
@@ -170,7 +190,9 @@ fn example(points: &[[f64; 4]], size_px: usize) -> (Scene, Vec<[f32; 4]>, Step) 
         length: 1e-3,
         width_bounds: [0.0, 2.0],
         loss_scale: 1.0,
+        elastic,
+        clearance,
         ..Step::default()
     };
-    (scene, points.iter().map(|point| point.map(|c| c as f32)).collect(), step)
+    (scene, points, step)
 }

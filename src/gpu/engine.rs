@@ -6,6 +6,7 @@ use super::pipeline::Pipeline;
 use super::stage::Slot;
 use super::{Absence, Device};
 use crate::Error;
+use crate::objective::Neighbours;
 use crate::optimize::{CpuEngine, Engine, Picture, Place, Scene, SceneView, State, Step, Tally, Work, term_count};
 
 /// Iterations a call, at most.
@@ -174,6 +175,19 @@ impl Engine for GpuEngine {
                 let _ = pipeline.set_planes(&planes);
                 if let Some(scene) = &mut self.scene {
                     scene.planes = planes;
+                }
+            }
+        }
+    }
+
+    fn set_neighbours(&mut self, neighbours: Neighbours) {
+        match &mut self.now {
+            Now::Processor(cpu) => cpu.set_neighbours(neighbours),
+            Now::Device(pipeline) => {
+                // Likewise.
+                let _ = pipeline.set_neighbours(&neighbours);
+                if let Some(scene) = &mut self.scene {
+                    scene.neighbours = neighbours;
                 }
             }
         }

@@ -31,7 +31,20 @@ pub struct Step {
     pub gradient_share: f32,
     pub surface: f32,
     pub texture: f32,
-    pub padding: [u32; 3],
+    pub bending: f32,
+    pub cusp_radius: f32,
+    pub tightness: f32,
+    pub least_radius: f32,
+    pub least_diameters: f32,
+    pub evenness: f32,
+    pub even_speed: f32,
+    pub standstill: f32,
+    pub clearance: f32,
+    pub clearance_diameters: f32,
+    pub least_clearance: f32,
+    pub mean_speed: f32,
+    pub keeps_last: u32,
+    pub padding: [u32; 2],
 }
 
 /// A view's camera, and where its share of each buffer begins.
@@ -77,6 +90,9 @@ pub struct Scene {
     pub planes: u32,
     pub texture_partial: u32,
     pub texture_levels: u32,
+    pub node_partial: u32,
+    pub nodes: u32,
+    pub padding: [u32; 2],
     pub rings: [[f32; 4]; RINGS],
     pub view: [View; MOST_VIEWS],
 }
@@ -134,6 +150,18 @@ pub struct TextureLevel {
     pub inverse_pairs: [f32; 5],
 }
 
+/// A place where integrals along the curve are taken.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
+pub struct Node {
+    pub place: [f32; 4],
+    pub first_derivative: [f32; 4],
+    pub second_derivative: [f32; 4],
+    pub first: u32,
+    pub step: f32,
+    pub padding: [u32; 2],
+}
+
 /// Bytes of a `Joint` as shaders lay it out. The processor never reads one.
 pub const JOINT_BYTES: u64 = 56;
 /// Bytes of a `Shape`, likewise.
@@ -155,7 +183,9 @@ macro_rules! layouts {
 layouts! {
     Step {
         rates, width_bounds, level_ratio, jerk_position, jerk_width, length, beta1, beta2, correction1, correction2,
-        epsilon, per_point, row, loss_scale, gradient_share, surface, texture,
+        epsilon, per_point, row, loss_scale, gradient_share, surface, texture, bending, cusp_radius, tightness, least_radius,
+        least_diameters, evenness, even_speed, standstill, clearance, clearance_diameters, least_clearance, mean_speed,
+        keeps_last,
     }
     View {
         right, down, forward, centre_px, scale, perspective, width, height, first_pixel, first_row, first_cell, columns,
@@ -163,11 +193,12 @@ layouts! {
     }
     Scene {
         points, samples, views, spans, pixels, cells, entries, gaussian, surface_partial, planes, texture_partial,
-        texture_levels, rings, view,
+        texture_levels, node_partial, nodes, rings, view,
     }
     Row { first, weights }
     Term { row, weight }
     Level { offset, width, height, first_partial }
+    Node { place, first_derivative, second_derivative, first, step }
     TextureLevel {
         width, height, halvings, share, picture, maps, d_maps, jets, d_picture, numbers, weights, wanted, inverse_weight,
         inverse_pairs,

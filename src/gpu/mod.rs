@@ -18,6 +18,7 @@ mod layout;
 mod pipeline;
 mod raster;
 mod stage;
+mod strand;
 mod texture;
 mod upload;
 

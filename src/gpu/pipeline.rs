@@ -5,6 +5,7 @@ use super::device::Device;
 use super::fault::{Answer, FaultKind};
 use super::stage::{Access, Over, SLOTS, STAGES, Slot, Stage, outline_groups};
 use super::upload::{LOSS_GROUP, Upload, pack};
+use crate::objective::Neighbours;
 use crate::optimize::{Scene, SceneView, Step, wait};
 use bytemuck::Pod;
 use std::ops::Range;
@@ -172,6 +173,18 @@ impl Pipeline {
         Ok(())
     }
 
+    /// Overwrites who may come too near whom.
+    ///
+    /// # Errors
+    /// A fault without a scene.
+    pub(super) fn set_neighbours(&mut self, neighbours: &Neighbours) -> Answer<()> {
+        let fault = self.no_scene();
+        let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
+        upload.strand.set_neighbours(neighbours);
+        buffers.write(&self.device, Slot::Neighbours, 0, &upload.strand.neighbours);
+        Ok(())
+    }
+
     /// The first `count` values of a buffer, waiting for them.
     ///
     /// # Errors
@@ -246,7 +259,7 @@ impl Pipeline {
 }
 
 /// Bytes of the largest uniform of several.
-const ONE_UNIFORM: u64 = 96;
+const ONE_UNIFORM: u64 = 144;
 const _: () = assert!(size_of::<super::layout::Step>() == ONE_UNIFORM as usize);
 
 impl Loaded {
@@ -270,6 +283,8 @@ impl Loaded {
             Over::Points => dispatch(points.div_ceil(GROUP), 1, 0),
             Over::Samples => dispatch(samples.div_ceil(GROUP), 1, 0),
             Over::SamplesAndViews(threads) => dispatch((samples * threads as usize).div_ceil(GROUP), views, 0),
+            Over::Nodes => dispatch((scene.nodes as usize).div_ceil(LOSS_GROUP), 1, 0),
+            Over::PointsOfNodes => dispatch(points.div_ceil(GROUP), usize::from(scene.nodes > 0), 0),
             Over::EachPoint => dispatch(points, 1, 0),
             Over::Outline { border } => {
                 let rows = if border { self.most_rows() } else { 0 };

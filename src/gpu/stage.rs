@@ -34,6 +34,9 @@ slots! {
     Planes,
     TextureLevels,
     TextureGiven,
+    Nodes,
+    PointNodes,
+    Neighbours,
     State,
     Best,
     GradientNorms,
@@ -54,6 +57,7 @@ slots! {
     Terms,
     Visible,
     Texture,
+    DNodes,
 }
 
 /// What a buffer is to a shader.
@@ -86,6 +90,10 @@ pub(super) enum Over {
     EachPoint,
     /// Threads over samples.
     Samples,
+    /// Threads over the curve's nodes, 256 a workgroup.
+    Nodes,
+    /// Threads over control points where there are nodes, else none.
+    PointsOfNodes,
     /// So many threads a sample and view.
     SamplesAndViews(u32),
     /// Workgroups over straight edges, polygons and, if so, the border, and views.
@@ -418,6 +426,18 @@ pub const STAGES: &[Stage] = &[
             Slot::DPoints,
         ],
         over: Over::Points,
+    },
+    Stage {
+        name: "pull_nodes",
+        texts: &[LAYOUT, SUM, text!("nodes")],
+        slots: &[Slot::Step, Slot::Scene, Slot::Nodes, Slot::Neighbours, Slot::State, Slot::Partials, Slot::DNodes],
+        over: Over::Nodes,
+    },
+    Stage {
+        name: "gather_nodes",
+        texts: &[LAYOUT, text!("gather_nodes")],
+        slots: &[Slot::Scene, Slot::Nodes, Slot::PointNodes, Slot::DPoints, Slot::DNodes],
+        over: Over::PointsOfNodes,
     },
     Stage {
         name: "measure_surface",

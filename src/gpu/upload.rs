@@ -4,8 +4,9 @@ use super::device::Device;
 use super::fault::{Answer, Fault, FaultKind};
 use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
 use super::stage::{NODES, outline_groups};
+use super::strand::StrandUpload;
 use super::texture::TextureUpload;
-use crate::objective::{Pyramid, level_sizes};
+use crate::objective::{Pyramid, STANDSTILL, level_sizes};
 use crate::optimize::{Scene, SceneView, Step};
 use crate::raster::{CELL_PX, rings};
 use crate::view::Occluder;
@@ -35,6 +36,7 @@ pub(super) struct Upload {
     pub occluder_depth: Vec<f32>,
     pub planes: Vec<[f32; 4]>,
     pub texture: TextureUpload,
+    pub strand: StrandUpload,
     /// Entries of the pyramid, the loss's partial sums, the rows of all pictures.
     pub pyramid: usize,
     pub partials: usize,
@@ -51,7 +53,7 @@ pub(super) struct Map {
 }
 
 impl Map {
-    fn new(map: &LinearMap<f32>) -> Map {
+    pub fn new(map: &LinearMap<f32>) -> Map {
         let columns = map.columns();
         let mut lists = vec![Vec::new(); columns];
         for (i, row) in map.rows().iter().enumerate() {
@@ -172,6 +174,10 @@ impl Upload {
         scene.texture_partial = partials as u32 + 1;
         scene.texture_levels = texture.a_view as u32;
         let partials = partials + 1 + texture.levels.len();
+        let strand = StrandUpload::new(from);
+        scene.node_partial = partials as u32;
+        scene.nodes = strand.nodes.len() as u32;
+        let partials = partials + 4 * strand.nodes.len().div_ceil(LOSS_GROUP);
         let mut upload = Upload {
             scene,
             sampling: Map::new(&from.sampling),
@@ -183,6 +189,7 @@ impl Upload {
             occluder_depth: Vec::new(),
             planes: from.planes.clone(),
             texture,
+            strand,
             pyramid: offset,
             partials,
             rows,
@@ -216,6 +223,7 @@ impl Upload {
 
 /// The numbers of an iteration that has seen `count` steps of Adam, itself included, and writes row `row` of terms.
 pub(super) fn pack(step: &Step, count: u32, row: usize) -> layout::Step {
+    let Step { elastic, clearance, .. } = step;
     let correction = |beta: f64| (1.0 - beta.powi(count as i32)) as f32;
     layout::Step {
         rates: step.rates,
@@ -235,6 +243,19 @@ pub(super) fn pack(step: &Step, count: u32, row: usize) -> layout::Step {
         gradient_share: step.gradient_share,
         surface: step.surface,
         texture: step.texture,
+        bending: elastic.bending,
+        cusp_radius: elastic.cusp_radius,
+        tightness: elastic.tightness,
+        least_radius: elastic.least_radius,
+        least_diameters: elastic.least_diameters,
+        evenness: elastic.evenness,
+        even_speed: elastic.speed,
+        standstill: STANDSTILL as f32 * elastic.speed,
+        clearance: clearance.weight,
+        clearance_diameters: clearance.diameters,
+        least_clearance: clearance.least_world,
+        mean_speed: clearance.speed,
+        keeps_last: u32::from(step.keeps_last()),
         ..Default::default()
     }
 }

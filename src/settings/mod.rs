@@ -108,6 +108,8 @@ choices! {
     }
     /// Where the first wire comes from.
     Start {
+        /// A tree grown through the drawings and a closed circuit round it that goes no way twice but where it must.
+        Circuit = "circuit",
         /// A tree grown through the drawings, walked there and back: one connected wire.
         Tree = "tree",
         /// Along the outline and inwards, line by line, on the front and back of the solid behind one picture.
@@ -181,6 +183,13 @@ choices! {
         Dark = "dark",
         /// Light on dark ground.
         Light = "light",
+    }
+    /// Whether the wire is as thick everywhere.
+    Width {
+        /// It is, as most wire that one can buy.
+        Constant = "constant",
+        /// It gets thicker and thinner as the pictures ask.
+        Varying = "varying",
     }
     /// Which views may be turned by quarters while arranging.
     Turn {
@@ -290,23 +299,29 @@ settings! {
     Run /// What computes the fit.
     backend: Backend = Backend::Auto, "", Choice { choices: Backend::WORDS };
     Run /// How many steps the fit takes in all.
-    iterations: usize = 1100, "steps", Integer { min: 1, max: 100_000 };
+    iterations: usize = 1000, "steps", Integer { min: 1, max: 100_000 };
     Run /// Side of the square pictures the wire is fitted to.
     size: usize = 256, "px", Integer { min: 32, max: 2048 };
 
     Wire /// One spline, a chain of Béziers with corners, or loose Béziers (the last two to compare with).
     #[serde(with = "form_word")]
     form: Form = Form::Spline, "", Choice { choices: FORMS };
+    Wire /// Keep the wire a wire: soft bends, nowhere through itself; off follows every line of the pictures.
+    smooth: OnOff = OnOff::On, "", Choice { choices: OnOff::WORDS };
+    Wire /// The least bend radius while fitting, where the wire is kept smooth.
+    bend_radius: f64 = 1.5, "diameters", Number { min: 0.0, max: 20.0 };
+    Wire /// Thicker and thinner as the pictures ask, or the same width everywhere.
+    width: Width = Width::Varying, "", Choice { choices: Width::WORDS };
     Wire /// Control points of the first wire; 0 lets the start choose.
     control_points: usize = 0, "points", Integer { min: 0, max: 20_000 };
     Wire /// Distance between control points where the start chooses their number.
-    spacing: f64 = 2.0, "px at 256", Number { min: 0.5, max: 64.0 };
+    spacing: f64 = 5.0, "px at 256", Number { min: 0.5, max: 64.0 };
     Wire /// Make the first wire shorter: cross over inside strokes instead of walking branches there and back.
     shorter: bool = false, "", Switch;
     Wire /// Thinnest the wire may get, as seen in a picture of 256 px.
-    min_width: f64 = 1.0, "px at 256", Number { min: 0.0, max: 64.0 };
+    min_width: f64 = 1.5, "px at 256", Number { min: 0.0, max: 64.0 };
     Wire /// Thickest the wire may get, as seen in a picture of 256 px.
-    max_width: f64 = 20.0, "px at 256", Number { min: 0.1, max: 128.0 };
+    max_width: f64 = 4.0, "px at 256", Number { min: 0.1, max: 128.0 };
 
     Views /// Try which drawing goes where, mirrored or turned, and keep what agrees best.
     arrange: OnOff = OnOff::On, "", Choice { choices: OnOff::WORDS };
@@ -326,12 +341,12 @@ settings! {
     max_stretch: f64 = 1.35, "times", Number { min: 1.0, max: 4.0 };
 
     Fit /// Where the first wire comes from.
-    start: Start = Start::Tree, "", Choice { choices: Start::WORDS };
+    start: Start = Start::Circuit, "", Choice { choices: Start::WORDS };
     Fit /// Move control points whose width has vanished to where they are needed.
     reinit: bool = false, "", Switch;
     Fit /// Add control points where the pictures pull hardest.
     refine: bool = false, "", Switch;
-    Fit /// How strongly the wire is kept smooth (weight of the jerk of positions).
+    Fit /// How calm the wire is: weight of its bending, or of the jerk of positions where it is not kept smooth.
     smoothness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
     Stroke /// Which of several objects, the largest first.
@@ -394,33 +409,68 @@ settings! {
     Surface /// How strongly the wire is held to the surface.
     surface_pull: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
+    Expert /// How strongly strands push each other away, where the wire is kept smooth.
+    clearance: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
+    Expert /// How strongly bends that are too tight open, where the wire is kept smooth.
+    tightness: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
     Expert /// Step size for positions, in pixels of a 128 px picture.
-    position_rate: f64 = 0.8, "px at 128", Number { min: 1e-4, max: 10.0 };
+    position_rate: f64 = 0.6, "px at 128", Number { min: 1e-4, max: 10.0 };
     Expert /// Step size for widths, in pixels of a 128 px picture.
-    width_rate: f64 = 0.24, "px at 128", Number { min: 0.0, max: 10.0 };
+    width_rate: f64 = 0.075, "px at 128", Number { min: 0.0, max: 10.0 };
     Expert /// How pictures are made coarser for the loss.
     pyramid: Pyramid = Pyramid::Average, "", Choice { choices: Pyramid::WORDS };
     Expert /// Weight of each coarser level of the loss relative to the finer one, at the start.
     level_weight: f64 = 0.5, "times", Number { min: 0.0, max: 16.0 };
     Expert /// Share of the iterations at half size, where each costs a quarter.
-    coarse_share: f64 = 0.55, "of 1", Number { min: 0.0, max: 1.0 };
+    coarse_share: f64 = 0.5, "of 1", Number { min: 0.0, max: 1.0 };
     Expert /// Exact points on each span of the wire while fitting.
-    samples: usize = 2, "a span", Integer { min: 1, max: 32 };
+    samples: usize = 3, "a span", Integer { min: 1, max: 32 };
     Expert /// Where re-initialised control points go.
     new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS };
     Expert /// Voxels along each side of the grid in which the first wire grows.
     grid: usize = 128, "voxels", Integer { min: 16, max: 160 };
 }
 
+impl Preset {
+    /// Whether its wire is kept smooth unless one says otherwise.
+    pub fn smooth(self) -> OnOff {
+        if self == Preset::Paper { OnOff::Off } else { OnOff::On }
+    }
+}
+
 impl Settings {
     /// The settings of a preset.
     pub fn preset(preset: Preset) -> Settings {
-        let best = Settings::default();
-        match preset {
-            Preset::Best => best,
-            Preset::Fast => Settings { preset, iterations: 220, coarse_share: 0.8, grid: 64, spacing: 3.5, ..best },
-            Preset::Paper => Settings {
+        Settings::drawings(preset, preset.smooth())
+    }
+
+    /// The settings of a preset for drawings, with the wire kept smooth or not.
+    fn drawings(preset: Preset, smooth: OnOff) -> Settings {
+        let best = match smooth {
+            OnOff::On => Settings::default(),
+            OnOff::Off => Settings {
+                smooth,
+                start: Start::Tree,
+                iterations: 1100,
+                spacing: 2.0,
+                min_width: 1.0,
+                max_width: 20.0,
+                position_rate: 0.8,
+                width_rate: 0.24,
+                coarse_share: 0.55,
+                samples: 2,
+                ..Settings::default()
+            },
+        };
+        match (preset, smooth) {
+            (Preset::Best, _) => best,
+            (Preset::Fast, OnOff::On) => Settings { preset, iterations: 200, coarse_share: 0.8, grid: 64, ..best },
+            (Preset::Fast, OnOff::Off) => {
+                Settings { preset, iterations: 220, coarse_share: 0.8, grid: 64, spacing: 3.5, ..best }
+            }
+            (Preset::Paper, _) => Settings {
                 preset,
+                smooth,
                 iterations: 900,
                 control_points: 220,
                 arrange: OnOff::Off,
@@ -438,15 +488,24 @@ impl Settings {
                 width_rate: 0.03,
                 coarse_share: 0.0,
                 new_point: NewPoint::Random,
-                ..best
+                ..Settings::drawings(Preset::Best, OnOff::Off)
             },
         }
     }
 
     /// The settings of a preset for one picture.
     pub fn stroke_preset(preset: Preset) -> Settings {
-        let several =
-            Settings { start: Start::Contour, bend: Bend::None, arrange: OnOff::Off, ..Settings::preset(preset) };
+        Settings::picture(preset, preset.smooth())
+    }
+
+    fn picture(preset: Preset, smooth: OnOff) -> Settings {
+        let several = Settings {
+            smooth,
+            start: Start::Contour,
+            bend: Bend::None,
+            arrange: OnOff::Off,
+            ..Settings::drawings(preset, OnOff::Off)
+        };
         // The first wire lies along the lines already: small steps keep it there.
         let best = Settings {
             iterations: 320,
@@ -466,8 +525,17 @@ impl Settings {
 
     /// The settings of a preset for covering a mesh.
     pub fn fill_preset(preset: Preset) -> Settings {
-        let several =
-            Settings { start: Start::Stripes, bend: Bend::None, arrange: OnOff::Off, ..Settings::preset(preset) };
+        Settings::mesh(preset, preset.smooth())
+    }
+
+    fn mesh(preset: Preset, smooth: OnOff) -> Settings {
+        let several = Settings {
+            smooth,
+            start: Start::Stripes,
+            bend: Bend::None,
+            arrange: OnOff::Off,
+            ..Settings::drawings(preset, OnOff::Off)
+        };
         // Lines lie evenly on the surface already; they are to be bent a little and made thicker and thinner.
         let best = Settings {
             iterations: 300,
@@ -504,28 +572,35 @@ impl Settings {
     /// # Errors
     /// As [`Settings::set`] and [`Settings::check`].
     pub fn from_pairs<'a>(pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
-        Settings::from_pairs_over(Settings::preset, pairs)
+        let settings = Settings::from_pairs_over(Settings::drawings, pairs)?;
+        settings.check()?;
+        Ok(settings)
     }
 
-    /// [`Settings::from_pairs`] with a task's own presets, such as [`Settings::stroke_preset`].
-    ///
-    /// # Errors
-    /// As [`Settings::from_pairs`].
-    pub fn from_pairs_over<'a>(
-        presets: fn(Preset) -> Settings,
+    /// [`Settings::from_pairs`] with a task's own presets, not yet checked. Whether the wire is kept smooth chooses among them, too.
+    fn from_pairs_over<'a>(
+        presets: fn(Preset, OnOff) -> Settings,
         pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
     ) -> Result<Settings> {
-        let mut settings = presets(Preset::Best);
+        let mut settings = presets(Preset::Best, OnOff::On);
+        let (mut preset, mut smooth) = (Preset::Best, None);
         for (name, text) in pairs.clone() {
-            if name.replace('-', "_") == "preset" {
-                settings.set(name, text)?;
-                settings = presets(settings.preset);
+            match &*name.replace('-', "_") {
+                "preset" => {
+                    settings.set(name, text)?;
+                    preset = settings.preset;
+                }
+                "smooth" => {
+                    settings.set(name, text)?;
+                    smooth = Some(settings.smooth);
+                }
+                _ => {}
             }
         }
+        settings = presets(preset, smooth.unwrap_or(preset.smooth()));
         for (name, text) in pairs {
             settings.set(name, text)?;
         }
-        settings.check()?;
         Ok(settings)
     }
 
@@ -570,6 +645,26 @@ impl Settings {
             ));
         }
         Ok(())
+    }
+
+    /// For a wire of constant width: of least and greatest width one given stands for both.
+    fn one_width(&mut self, given: &[&str]) -> Result<()> {
+        let is_given = |name: &str| given.iter().any(|given| given.replace('-', "_") == name);
+        match (is_given("min_width"), is_given("max_width")) {
+            (true, true) if self.min_width != self.max_width => {
+                let problem = format!("constant, but from {} to {}", self.min_width, self.max_width);
+                Err(Error::setting("width", problem, "give one of min_width and max_width, both the same, or neither"))
+            }
+            (true, false) => {
+                self.max_width = self.min_width;
+                Ok(())
+            }
+            (false, true) => {
+                self.min_width = self.max_width;
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Every value by name, for files and reports.

@@ -1,6 +1,6 @@
 //! What each task has of the table: which settings, which of their choices, and which presets.
 
-use super::{Group, Kind, Preset, Setting, Settings, TABLE};
+use super::{Group, Kind, OnOff, Preset, Setting, Settings, TABLE, Width};
 use crate::{Error, Result};
 
 /// A task with settings of its own.
@@ -13,6 +13,10 @@ pub enum Task {
     /// A mesh.
     Fill,
 }
+
+/// The widest least bend, and the widest least strand, that leave room for anything else in a picture of 256 px.
+const WIDEST_BEND_PX: f64 = 64.0;
+const WIDEST_STRAND_PX: f64 = 24.0;
 
 impl Task {
     /// The settings it has, in the order people should see them, with the choices that it has.
@@ -41,7 +45,7 @@ impl Task {
     /// can be said.
     fn choices(self, name: &str) -> Option<&'static [&'static str]> {
         match (self, name) {
-            (Task::Multiview, "start") => Some(&["tree", "hull", "ball"]),
+            (Task::Multiview, "start") => Some(&["circuit", "tree", "hull", "ball"]),
             (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
             (Task::Fill, "start") => Some(&["stripes", "tour"]),
             (Task::Stroke | Task::Fill, "arrange") => Some(&["off"]),
@@ -56,6 +60,7 @@ impl Task {
     /// As [`Settings::check`], and [`Error::Setting`] for a choice that this task does not have.
     pub fn check(self, settings: &Settings) -> Result<()> {
         settings.check()?;
+        self.check_smooth(settings)?;
         let values = settings.to_texts();
         for name in ["start", "arrange", "bend"] {
             let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
@@ -69,7 +74,12 @@ impl Task {
 
     /// Its settings of a preset.
     pub fn preset(self, preset: Preset) -> Settings {
-        self.presets()(preset)
+        self.presets()(preset, preset.smooth())
+    }
+
+    /// Its settings of a preset, with the wire kept smooth or not.
+    pub fn preset_with(self, preset: Preset, smooth: OnOff) -> Settings {
+        self.presets()(preset, smooth)
     }
 
     /// The preset asked for (`preset` among the pairs, else `best`) with every other pair laid over it in order.
@@ -88,16 +98,49 @@ impl Task {
                 ));
             }
         }
-        let settings = Settings::from_pairs_over(self.presets(), pairs)?;
+        let given: Vec<&str> = pairs.clone().into_iter().map(|(name, _)| name).collect();
+        let mut settings = Settings::from_pairs_over(self.presets(), pairs)?;
+        if settings.width == Width::Constant {
+            settings.one_width(&given)?;
+        }
         self.check(&settings)?;
         Ok(settings)
     }
 
-    fn presets(self) -> fn(Preset) -> Settings {
+    /// What the wire cannot be at once.
+    fn check_smooth(self, settings: &Settings) -> Result<()> {
+        if settings.smooth == OnOff::Off {
+            return Ok(());
+        }
+        let least = settings.bend_radius * settings.min_width;
+        if least > WIDEST_BEND_PX {
+            let widest = WIDEST_BEND_PX / settings.min_width.max(f64::MIN_POSITIVE);
+            let problem = format!(
+                "{} diameters of a wire at least {} px wide are {least:.0} px, and no such bend fits into a picture of 256 px",
+                settings.bend_radius, settings.min_width
+            );
+            return Err(Error::setting("bend_radius", problem, format!("give at most {widest:.1}, or a thinner wire")));
+        }
+        if settings.min_width > WIDEST_STRAND_PX {
+            let problem = format!("strands at least {} px wide cannot pass each other", settings.min_width);
+            let remedy = format!("give at most {WIDEST_STRAND_PX}, or --smooth off");
+            return Err(Error::setting("min_width", problem, remedy));
+        }
+        // World units a pixel: the ball of radius 1 fills about 200 px of 256.
+        let spacing_px = settings.curve_spacing * 100.0;
+        if self == Task::Fill && settings.min_width > spacing_px {
+            let problem = format!("strands at least {} px wide do not fit side by side", settings.min_width);
+            let remedy = format!("give at most {spacing_px:.1}, a wider curve_spacing, or --smooth off");
+            return Err(Error::setting("min_width", problem, remedy));
+        }
+        Ok(())
+    }
+
+    fn presets(self) -> fn(Preset, OnOff) -> Settings {
         match self {
-            Task::Multiview => Settings::preset,
-            Task::Stroke => Settings::stroke_preset,
-            Task::Fill => Settings::fill_preset,
+            Task::Multiview => Settings::drawings,
+            Task::Stroke => Settings::picture,
+            Task::Fill => Settings::mesh,
         }
     }
 }
@@ -151,7 +194,7 @@ mod tests {
             other => panic!("{other:?}"),
         };
         assert_eq!(refused(Task::Stroke, "start", "tree"), ("start".into(), "give contour or hull or ball".into()));
-        assert_eq!(refused(Task::Multiview, "start", "contour"), ("start".into(), "give tree or hull or ball".into()));
+        assert_eq!(refused(Task::Multiview, "start", "contour"), ("start".into(), "give circuit or tree or hull or ball".into()));
         assert_eq!(refused(Task::Stroke, "bend", "free"), ("bend".into(), "give none".into()));
         assert!(Task::Stroke.settings([("bend", "none"), ("arrange", "off"), ("start", "ball")]).is_ok());
     }

@@ -1,4 +1,4 @@
-//! Where a wire starts: arranging and bending drawings, the voxel tree and its trail, hull and ball tours.
+//! Where a wire starts: arranging and bending drawings, the voxel tree, its trail and its circuit, hull and ball tours.
 
 mod arrange;
 mod back;
@@ -14,9 +14,11 @@ mod fitted;
 mod grid;
 mod hull;
 mod lines;
+mod pairing;
 mod place;
 mod placing;
 mod plane;
+mod routing;
 mod shared;
 mod shortcuts;
 mod shortest;
@@ -39,6 +41,7 @@ pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path, mean
 pub use lines::{Hatching, LineOptions, Lines, Subject};
 pub use place::place;
 pub use placing::Orientation;
+pub use routing::{Circuit, CircuitOptions};
 pub use solid::{Solid, SolidOptions};
 pub use tour::{greedy_tour, short_tour, tour_length};
 pub use trail::{TrailOptions, path_along};
@@ -71,4 +74,21 @@ pub fn tree_path(
     let grid = Grid::new(targets, half_extents_world, tree.across)?;
     let tree = grow_tree(&grid, targets, tree, progress)?;
     Ok(path_along(&grid, &tree, trail))
+}
+
+/// The start for drawings as a closed wire that goes no way twice but where it must: grows a tree through the box of
+/// `half_extents_world` and takes a circuit round it. `progress` as in [`tree_path`].
+///
+/// # Errors
+/// As [`Grid::new`] and [`grow_tree`].
+pub fn circuit_path(
+    targets: &[Target],
+    half_extents_world: [f64; 3],
+    tree: &TreeOptions,
+    circuit: &CircuitOptions,
+    progress: &mut dyn FnMut(f32) -> bool,
+) -> Result<Path> {
+    let grid = Grid::new(targets, half_extents_world, tree.across)?;
+    let tree = grow_tree(&grid, targets, tree, progress)?;
+    Ok(Circuit::new(&grid, &tree, circuit).path(&grid, circuit))
 }

@@ -2,8 +2,8 @@
 //! shortcuts through ink or, where that saves more than it shows, past it.
 
 use super::grid::{Grid, OFF_PICTURE};
+use super::pairing::Graph;
 use super::shortest::{NO_PARENT, Shortest};
-use super::trail::Graph;
 use super::tree::Tree;
 
 /// Shortcuts longer than this are not looked for, as a share of the grid's side.

@@ -41,6 +41,12 @@ pub struct TreeOptions {
 impl TreeOptions {
     /// The grid for which the prices are given.
     pub const REFERENCE_ACROSS: f32 = 64.0;
+
+    /// Prices of a tree for [`circuit_path`](super::circuit_path): length is dear, and paths that draw in several views at
+    /// once are cheap.
+    pub fn for_circuit() -> TreeOptions {
+        TreeOptions { step_price: 0.5, met_price: 0.4, ..TreeOptions::default() }
+    }
 }
 
 impl Default for TreeOptions {
@@ -74,6 +80,16 @@ pub struct Tree {
     pub met_share: Vec<f32>,
     /// Branches grown.
     pub branches: usize,
+    /// How near a voxel comes to the lines it meets and how wide a strand gets, px.
+    reach_px: [f32; 2],
+}
+
+impl Tree {
+    /// How far away a voxel meets lines where ink is `depth_px` deep: in any ink, and all across fat strokes.
+    pub(super) fn meets_px(&self, depth_px: f32) -> (f32, f32) {
+        let [meets, widest] = self.reach_px;
+        (meets, 1.1 * depth_px.min(widest))
+    }
 }
 
 /// One view while the tree grows.
@@ -155,7 +171,8 @@ pub fn grow_tree(
         })
         .collect();
     let planes = growth.sheets.into_iter().map(|sheet| sheet.plane).collect();
-    Ok(Tree { edges: growth.edges, root, planes, met_share, branches: growth.branches })
+    let reach_px = [options.meet_px * scale, strand_px];
+    Ok(Tree { edges: growth.edges, root, planes, met_share, branches: growth.branches, reach_px })
 }
 
 impl Sheet {

@@ -3,10 +3,10 @@
 use crate::metrics::EventReport;
 use crate::objective::Pyramid;
 use crate::optimize::{
-    Bending, Event, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Schedule, Session, TopologyEdit,
-    TopologyEvent,
+    AdamOptions, Bending, Event, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Respace, Schedule, SecondMoment,
+    Session, Smooth, TopologyEdit, TopologyEvent,
 };
-use crate::settings::{self, Bend, Preset, Settings};
+use crate::settings::{self, Bend, OnOff, Preset, Settings};
 
 /// How to fit with these settings.
 pub(super) fn recipe(settings: &Settings) -> Recipe {
@@ -33,7 +33,69 @@ pub(super) fn recipe(settings: &Settings) -> Recipe {
     recipe.jerk_width = recipe.jerk_width.scaled(settings.smoothness);
     recipe.bending = bending(settings.bend);
     recipe.topology = topology(settings);
+    if settings.smooth == OnOff::On {
+        keep_smooth(&mut recipe, settings);
+    }
     recipe
+}
+
+/// Shares of the run after which control points are laid anew. Steps are wide at first, while the wire finds its place.
+const RESPACED: [f64; 6] = [0.12, 0.25, 0.4, 0.5, 0.62, 0.75];
+/// How much wider, up to this share of the run.
+pub(super) const WIDE: f64 = 1.6;
+const WIDE_UNTIL: f64 = 0.45;
+/// Weights of the length at the run's start and end, and of the width's jerk, relative to image losses summed over the
+/// pixels of a 256 px picture, lengths in pixels of one.
+const LENGTH: [f64; 2] = [0.1, 0.02];
+const JERK_WIDTH: f64 = 20.0;
+
+pub(super) fn dev(name: &str, default: f64) -> f64 {
+    let all = std::env::var("W4D").unwrap_or_default();
+    all.split(',').filter_map(|pair| pair.split_once('=')).find(|(key, _)| *key == name).map_or(default, |(_, value)| value.parse().unwrap())
+}
+
+/// Whatever makes a wire a wire.
+fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
+    let pixels = 256.0 * 256.0;
+    let smooth = Smooth::default();
+    recipe.smooth = Some(Smooth {
+        bending: Schedule::Geometric { from: dev("wb0", 100.0), to: dev("wb1", 3.0), until: dev("wbt", 0.7) },
+        cusp_radius_px: dev("cusp", 2.0),
+        tightness: Schedule::Piecewise(vec![[0.1, 0.0], [dev("wtt", 0.6), dev("wt", 6.0) * settings.tightness], [0.9, dev("wt", 6.0) * settings.tightness], [1.0, dev("wt2", dev("wt", 6.0) * settings.tightness)]]),
+        least_radius_px: dev("r0", 4.5),
+        least_radius_diameters: dev("rd", settings.bend_radius),
+        clearance: Schedule::Piecewise(vec![[0.1, 0.0], [0.6, settings.clearance * dev("wc", 15.0)]]),
+        clearance_diameters: dev("cd", 1.25),
+        least_clearance_px: dev("c0", 3.2),
+        one_strand: dev("gap", 2.0),
+        evenness: dev("we", 2.0),
+        nodes_per_span: dev("nodes", 3.0) as usize,
+        ..smooth
+    });
+    // A step goes where the gradient points, not along the axes; pictures change under it, so it forgets fast.
+    recipe.adam = AdamOptions { beta1: 0.9, beta2: 0.98, epsilon: 3e-6, second_moment: SecondMoment::PerPoint };
+    recipe.adam.beta2 = dev("b2", 0.98);
+    recipe.position_rate_px = Schedule::Cosine { from: settings.position_rate, to: 0.025 * settings.position_rate };
+    recipe.width_rate_px = Schedule::Cosine { from: settings.width_rate, to: 0.07 * settings.width_rate };
+    recipe.jerk_position = Schedule::Constant(0.0);
+    recipe.jerk_width = Schedule::Constant(dev("jw", JERK_WIDTH) * 128.0 * 128.0 / pixels);
+    recipe.length =
+        Schedule::Piecewise([0.0, 1.0].into_iter().zip([dev("wl0", LENGTH[0]), dev("wl1", LENGTH[1])]).map(|(t, w)| [t, w * 128.0 / pixels]).collect());
+    for stage in &mut recipe.stages {
+        (stage.raster, stage.restarts) = (RasterKind::Exact, Vec::new());
+        stage.samples_per_span = settings.samples;
+    }
+    if settings.control_points == 0 {
+        recipe.topology.extend(RESPACED.map(|share| {
+            let wider = if share < WIDE_UNTIL { WIDE } else { 1.0 };
+            let edit = TopologyEdit::Respace(Respace { spacing_px: wider * settings.spacing });
+            TopologyEvent { at: Moment::Progress(share), edit }
+        }));
+    }
+    if let Some(bending) = &mut recipe.bending {
+        bending.from = dev("bf", 0.4);
+        bending.rate_px = Schedule::Piecewise(vec![[0.0, dev("br", 0.08)], [1.0, 0.0]]);
+    }
 }
 
 /// The same course, beginning with `value`.

@@ -9,6 +9,7 @@ mod remedies;
 mod run;
 mod saved;
 pub mod stroke;
+mod widths;
 
 pub use engine::place;
 pub use run::{Job, Placed, Run};

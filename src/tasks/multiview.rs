@@ -4,17 +4,18 @@
 //! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
 
 use super::engine::engine;
-use super::fit::recipe;
+use super::fit::{dev, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
+use super::widths::width_bounds;
 use crate::metrics::{BentReport, ResultReport, length_over_lines, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::{Problem, Session, WidthBounds, wait};
+use crate::optimize::{Problem, Session, wait};
 use crate::picture::{Ink, Picture, ink};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
-    self, ArrangeOptions, Arrangement, BendOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
+    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement, TrailOptions, TreeOptions,
 };
 use crate::view::{Image, Target, ViewSpec};
 use crate::wire::{Form, Wire};
@@ -188,7 +189,7 @@ impl Plan {
     fn problem(&self, wire: Wire, targets: Vec<Target>, settings: &Settings) -> Problem {
         let px = self.world_per_px_256();
         Problem {
-            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
+            width: width_bounds(&targets, px, settings),
             seed: settings.seed,
             ..Problem::for_drawings(wire, targets, recipe(settings))
         }
@@ -211,6 +212,7 @@ impl Plan {
         let wire = match settings.control_points {
             // The points of the tour are the control points (the paper's choice).
             _ if settings.start == Start::Ball => Wire::open_uniform(path.points)?,
+            0 if settings.smooth == OnOff::On => start::wire_along(&path, super::fit::WIDE * settings.spacing * px)?,
             0 => {
                 let finest = start::length(&path) / MOST_FIRST_POINTS;
                 start::wire_along(&path, (settings.spacing * px).max(finest))?
@@ -228,6 +230,11 @@ impl Plan {
     ) -> Result<Path> {
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
+            Start::Circuit => {
+                let tree = TreeOptions { across: settings.grid / 2 * 2, step_price: dev("step", 0.5) as f32, met_price: dev("met", 0.4) as f32, ..TreeOptions::default() };
+                let mut c = CircuitOptions::default(); c.stray_price = dev("stray", 8.0) as f32; c.again_price = dev("again", 0.2) as f32; c.slack_px_at_128 = dev("slack", 1.0) as f32;
+                start::circuit_path(targets, *half_extents_world, &tree, &c, progress)
+            }
             Start::Tree | Start::Contour | Start::Stripes | Start::Tour => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
                 let trail = TrailOptions { shorter: settings.shorter, ..TrailOptions::default() };

@@ -14,7 +14,8 @@ use super::engine::engine;
 use super::fit::recipe;
 use super::run::Placed;
 use super::saved::SavedRun;
-use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, WidthBounds, wait};
+use super::widths::width_bounds;
+use crate::optimize::{Problem, Refine, Seen, Session, TopologyEdit, wait};
 use crate::picture::{Ink, OBJECT_PX, Object, Picture, find_object};
 use crate::rng::Rng;
 use crate::sculpture::render_sampled;
@@ -237,7 +238,7 @@ impl Plan {
                 }
             }
             // The points of the tour are the control points (the paper's choice).
-            Start::Hull | Start::Tree | Start::Stripes | Start::Tour => {
+            Start::Hull | Start::Circuit | Start::Tree | Start::Stripes | Start::Tour => {
                 Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?
             }
             Start::Ball => Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?,
@@ -288,7 +289,7 @@ impl Plan {
         }
         Problem {
             view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
-            width: WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px },
+            width: width_bounds(&self.targets[..1], px, settings),
             seed: settings.seed,
             ..Problem::for_drawings(wire, self.fitted(first, iteration, settings), recipe)
         }

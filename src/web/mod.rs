@@ -8,7 +8,7 @@ mod run;
 mod subject;
 mod surface;
 
-use crate::settings::{Preset, Settings, Task};
+use crate::settings::{OnOff, Preset, Settings, Task};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -19,12 +19,18 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// The settings table of a task, `multiview`, `stroke` or `fill`, and each preset's values, as JSON.
+/// The settings table of a task, `multiview`, `stroke` or `fill`, and each preset's values, as JSON: by its word, and by its
+/// word and the other choice of `smooth` (`best/off`).
 #[wasm_bindgen]
 pub fn settings_table(task: &str) -> Result<String, JsError> {
     let task = task_of(task)?;
     let mut presets = BTreeMap::new();
-    presets.extend(Preset::ALL.iter().zip(Preset::WORDS).map(|(&preset, word)| (word, task.preset(preset).to_texts())));
+    for (&preset, word) in Preset::ALL.iter().zip(Preset::WORDS) {
+        for (&smooth, choice) in OnOff::ALL.iter().zip(OnOff::WORDS) {
+            let name = if smooth == preset.smooth() { (*word).to_owned() } else { format!("{word}/{choice}") };
+            presets.insert(name, task.preset_with(preset, smooth).to_texts());
+        }
+    }
     let rows: Vec<_> = task.rows().filter(|row| row.kind.leaves_choice()).collect();
     Ok(json(&serde_json::json!({ "rows": rows, "presets": presets })))
 }

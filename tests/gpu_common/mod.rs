@@ -4,7 +4,7 @@
 #![allow(dead_code)]
 
 use wire4d::gpu::{Device, Kind};
-use wire4d::objective::Pyramid;
+use wire4d::objective::{Clearance, Elastic, Neighbours, Pyramid};
 use wire4d::optimize::{AdamOptions, Scene, SceneView, Step};
 use wire4d::rng::Rng;
 use wire4d::view::{Image, Occluder, Projection, View};
@@ -103,5 +103,37 @@ pub fn step() -> Step {
         width_bounds: [0.01, 0.1],
         loss_scale: 1.0,
         gradient_share: 0.5,
+        ..Step::default()
     }
+}
+
+/// The scene with nodes, and with neighbours as they are at the wire's own points.
+pub fn with_strands(scene: Scene, wire: &Wire) -> Scene {
+    let nodes = wire.nodes(3);
+    let neighbours = neighbours(wire, &points(wire));
+    Scene { nodes: Some(nodes), neighbours, ..scene }
+}
+
+/// Who is near whom at `points`, and not next to each other along the wire.
+pub fn neighbours(wire: &Wire, points: &[[f32; 4]]) -> Neighbours {
+    let nodes = wire.nodes::<f32>(3);
+    let (mut places, mut first) = (Vec::new(), Vec::new());
+    nodes.place.apply(points, &mut places);
+    nodes.first.apply(points, &mut first);
+    Neighbours::find(&places, &nodes.lengths(&first), nodes.closed, &wiry(1.0).clearance, 0.4, 0.1)
+}
+
+/// What makes a wire of it, besides. Some widths and places of random wires are on either side of each bound.
+pub fn wiry(weight: f32) -> Step {
+    let elastic = Elastic {
+        bending: 2e-3 * weight,
+        cusp_radius: 0.06,
+        tightness: 0.3 * weight,
+        least_radius: 0.13,
+        least_diameters: 3.0,
+        evenness: 0.05 * weight,
+        speed: 0.3,
+    };
+    let clearance = Clearance { weight: 3.0 * weight, diameters: 5.0, least_world: 0.22, speed: 0.3 };
+    Step { elastic, clearance, ..step() }
 }

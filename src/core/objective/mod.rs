@@ -1,5 +1,8 @@
-//! What makes a wire good: image losses over a pyramid, textures, regularisers of the curve, and targets that bend a little.
+//! What makes a wire good: image losses over a pyramid, textures, what keeps the curve a wire (bending, clearance, length, a
+//! surface), and targets that bend a little.
 
+mod clearance;
+mod elastic;
 mod guidance;
 mod mmse;
 mod net;
@@ -9,6 +12,8 @@ mod surface;
 mod texture;
 mod warp;
 
+pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradient};
+pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
 pub use guidance::Guidance;
 pub use mmse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;

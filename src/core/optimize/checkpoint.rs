@@ -10,7 +10,7 @@ use crate::wire::Wire;
 use crate::{Error, Result};
 
 /// The present format; others are refused.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// A session at one iteration, without its problem. Serialises to any format that keeps `f32` exactly.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -27,6 +27,8 @@ pub struct Checkpoint {
     best_loss: Option<f32>,
     /// Where the planes of the pull to a surface were laid; none without such a pull.
     plane_points: Vec<[f32; 4]>,
+    /// Where neighbours were last looked for; none where nobody asks.
+    strand_points: Vec<[f32; 4]>,
     fields: Vec<SavedField>,
     gradient_norms: Vec<f32>,
     gradient_count: u32,
@@ -123,6 +125,7 @@ impl Session {
             best_points: self.tally.best_points.clone(),
             best_loss: self.tally.best_loss.is_finite().then_some(self.tally.best_loss),
             plane_points: self.plane_points.clone(),
+            strand_points: self.strand_points.clone(),
             fields,
             gradient_norms: self.tally.gradient_norms.clone(),
             gradient_count: self.gradient_count,
@@ -172,8 +175,9 @@ impl Session {
         let (state, good) = restored.ok_or_else(|| refuse("its control points are damaged"))?;
         let best_fits = saved.best_points.len() == saved.best_wire.control_points().len();
         let norms_fit = saved.gradient_norms.len() == count;
-        let planes_fit = [0, count].contains(&saved.plane_points.len());
-        let points = saved.best_points.iter().chain(&saved.plane_points).flatten();
+        let planes_fit =
+            [&saved.plane_points, &saved.strand_points].iter().all(|list| [0, count].contains(&list.len()));
+        let points = saved.best_points.iter().chain(&saved.plane_points).chain(&saved.strand_points).flatten();
         let finite = points.chain(&saved.gradient_norms).all(|value| value.is_finite());
         let takes = |wire: &Wire, points: &[[f32; 4]]| {
             let points: Vec<_> = points.iter().map(|point| point.map(f64::from)).collect();
@@ -199,6 +203,12 @@ impl Session {
             (Some(_), true) => state.points.clone(),
             (Some(_), false) => saved.plane_points,
         };
+        session.strand_points = match (&session.problem.recipe.smooth, saved.strand_points.is_empty()) {
+            (None, _) => Vec::new(),
+            (Some(_), true) => state.points.clone(),
+            (Some(_), false) => saved.strand_points,
+        };
+        session.speed = 0.0;
         session.iteration = saved.iteration;
         session.halvings = saved.halvings;
         session.wire = saved.wire;

@@ -5,11 +5,12 @@ use super::RasterKind;
 use super::Work;
 use super::engine::{Engine, OTHER_TERMS, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
 use crate::objective::{
-    Guidance, MultiscaleMse, Pyramid, Texture, TextureLoss, length_and_gradient, surface_and_gradient,
+    Guidance, MultiscaleMse, Neighbours, Pyramid, Texture, TextureLoss, clearance_and_gradient, elastic_and_gradient,
+    length_and_gradient, surface_and_gradient,
 };
 use crate::raster::{BandRaster, ExactRaster, Raster};
 use crate::view::{Camera, Image, Occluder, drop_hidden};
-use crate::wire::{Jerk, LinearMap, Stroke};
+use crate::wire::{Jerk, LinearMap, Nodes, Stroke};
 
 /// One view's share of an iteration, with its buffers.
 struct ViewEngine {
@@ -147,6 +148,47 @@ struct Curve {
     strokes: Vec<Stroke>,
     jerk: Jerk<f32>,
     planes: Vec<[f32; 4]>,
+    strand: Option<Strand>,
+}
+
+/// The wire as a thing that bends and takes room, with its buffers.
+struct Strand {
+    nodes: Nodes<f32>,
+    neighbours: Neighbours,
+    /// Place, first and second derivative at the nodes, and the gradients to them.
+    values: [Vec<[f32; 4]>; 3],
+    d_values: [Vec<[f32; 4]>; 3],
+}
+
+impl Strand {
+    fn new(nodes: Nodes<f32>, neighbours: Neighbours) -> Strand {
+        let neighbours = if neighbours.starts.is_empty() { Neighbours::none(nodes.len()) } else { neighbours };
+        let zeros = || vec![[0.0; 4]; nodes.len()];
+        Strand { values: [0; 3].map(|_| zeros()), d_values: [0; 3].map(|_| zeros()), nodes, neighbours }
+    }
+
+    /// Bending, tightness, evenness, clearance; adds their gradient to `d_points`.
+    fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, d_points: &mut [[f32; 4]]) -> [f32; 4] {
+        if !step.keeps_last() {
+            return [0.0; 4];
+        }
+        let Strand { nodes, neighbours, values, d_values } = self;
+        let maps = [&nodes.place, &nodes.first, &nodes.second];
+        maps.iter().zip(&mut *values).for_each(|(map, values)| map.apply(points, values));
+        d_values.iter_mut().for_each(|d| d.fill([0.0; 4]));
+        let [place, first, second] = &*values;
+        let [d_place, d_first, d_second] = &mut *d_values;
+        let [bending, tightness, evenness] = match step.elastic.is_on() {
+            true => elastic_and_gradient(nodes, [place, first, second], &step.elastic, d_place, d_first, d_second),
+            false => [0.0; 3],
+        };
+        let clearance = match step.clearance.weight > 0.0 {
+            true => clearance_and_gradient(place, &nodes.steps, neighbours, &step.clearance, d_place),
+            false => 0.0,
+        };
+        maps.iter().zip(d_values).for_each(|(map, d)| map.apply_transpose(d, d_points));
+        [bending, tightness, evenness, clearance]
+    }
 }
 
 impl CpuEngine {
@@ -162,7 +204,8 @@ impl CpuEngine {
 
     /// [`Engine::evaluate`], done when it returns.
     pub fn evaluate_now(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
-        let Some(Curve { sampling, strokes, jerk, planes }) = &self.scene else { return };
+        let Some(Curve { sampling, strokes, jerk, planes, strand }) = &mut self.scene else { return };
+        let strokes = &*strokes;
         sampling.apply(points, &mut self.samples);
         let samples = &self.samples;
         for_each_view(&mut self.views, |view| view.evaluate(samples, strokes, step));
@@ -191,13 +234,16 @@ impl CpuEngine {
             sampling.apply_transpose(&self.d_samples, d_points);
         }
         let jerk = jerk.energy_and_gradient(points, step.jerk_position, step.jerk_width, d_points);
+        let strand = strand.as_mut().map_or([0.0; 4], |strand| strand.evaluate(points, step, d_points));
+        let [bending, tightness, evenness, clearance] = strand;
 
         let count = self.views.len();
         for (term, view) in terms[1..].iter_mut().zip(&self.views) {
             *term = view.loss;
         }
         let texture = self.views.iter().map(|view| view.guidance_loss).sum();
-        terms[count + 1..][..OTHER_TERMS.len()].copy_from_slice(&[jerk, length, surface, texture]);
+        let others = [jerk, length, surface, texture, bending, tightness, evenness, clearance];
+        terms[count + 1..][..OTHER_TERMS.len()].copy_from_slice(&others);
         terms[0] = terms[1..term_count(count)].iter().sum();
     }
 
@@ -209,10 +255,11 @@ impl CpuEngine {
 
 impl Engine for CpuEngine {
     fn load(&mut self, scene: Scene) -> Work<'_> {
-        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes, texture } = scene;
+        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes, texture, nodes, neighbours } = scene;
         let engine = |view| ViewEngine::new(view, raster, pyramid, texture.as_deref());
         self.views = views.into_iter().map(engine).collect();
-        self.scene = Some(Curve { sampling, strokes, jerk, planes });
+        let strand = nodes.map(|nodes| Strand::new(nodes, neighbours));
+        self.scene = Some(Curve { sampling, strokes, jerk, planes, strand });
         Work::Done(())
     }
 
@@ -228,6 +275,12 @@ impl Engine for CpuEngine {
     fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
         if let Some(curve) = &mut self.scene {
             curve.planes = planes;
+        }
+    }
+
+    fn set_neighbours(&mut self, neighbours: Neighbours) {
+        if let Some(strand) = self.scene.as_mut().and_then(|curve| curve.strand.as_mut()) {
+            strand.neighbours = neighbours;
         }
     }
 

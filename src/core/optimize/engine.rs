@@ -6,9 +6,9 @@
 
 use super::{Adam, AdamOptions, RasterKind, Work};
 use crate::Error;
-use crate::objective::{Pyramid, Texture};
+use crate::objective::{Clearance, Elastic, Neighbours, Pyramid, Texture};
 use crate::view::{Camera, Image, Occluder};
-use crate::wire::{Jerk, LinearMap, Stroke, Wire};
+use crate::wire::{Jerk, LinearMap, Nodes, Stroke, Wire};
 use std::sync::Arc;
 
 /// One view of a scene.
@@ -52,6 +52,10 @@ pub struct Scene {
     pub planes: Vec<[f32; 4]>,
     /// What all views' textures should be like, if anything.
     pub texture: Option<Arc<Texture>>,
+    /// Where bending and clearance are measured; nowhere without.
+    pub nodes: Option<Nodes<f32>>,
+    /// Who of those may come too near whom.
+    pub neighbours: Neighbours,
 }
 
 impl Scene {
@@ -59,7 +63,18 @@ impl Scene {
     pub fn new(wire: &Wire, samples_per_span: usize, views: Vec<SceneView>) -> Scene {
         let (sampling, strokes) = wire.sampling_map(samples_per_span, true);
         let (raster, pyramid) = (RasterKind::Exact, Pyramid::AveragePool);
-        Scene { sampling, strokes, jerk: Jerk::new(wire), views, raster, pyramid, planes: Vec::new(), texture: None }
+        Scene {
+            sampling,
+            strokes,
+            jerk: Jerk::new(wire),
+            views,
+            raster,
+            pyramid,
+            planes: Vec::new(),
+            texture: None,
+            nodes: None,
+            neighbours: Neighbours::default(),
+        }
     }
 }
 
@@ -88,6 +103,17 @@ pub struct Step {
     pub loss_scale: f32,
     /// Share of this iteration in the running means of [`Tally::gradient_norms`], 0 to 1.
     pub gradient_share: f32,
+    /// What bending costs.
+    pub elastic: Elastic<f32>,
+    /// What strands too near each other cost.
+    pub clearance: Clearance<f32>,
+}
+
+impl Step {
+    /// Whether the last wire is the best one: losses of pictures alone say little of a wire that is to be more than that.
+    pub fn keeps_last(&self) -> bool {
+        self.elastic.is_on() || self.clearance.weight > 0.0
+    }
 }
 
 /// What the optimiser changes: control points and their moments.
@@ -130,7 +156,7 @@ impl State {
 /// What iterations leave behind besides the state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tally {
-    /// The points with the lowest image loss so far.
+    /// The points with the lowest image loss so far, or the last ones where [`Step::keeps_last`].
     pub best_points: Vec<[f32; 4]>,
     /// That loss, times [`Step::loss_scale`]; infinite before the first.
     pub best_loss: f32,
@@ -154,9 +180,9 @@ impl Tally {
     /// Takes note of an iteration before its step, from its row of terms and the image terms' gradient.
     pub fn note(&mut self, step: &Step, points: &[[f32; 4]], terms: &[f32], d_points_image: &[[f32; 4]]) {
         let views = terms.len() - term_count(0);
-        let texture = terms[terms.len() - 1];
+        let texture = terms[1 + views + TEXTURE_TERM];
         let loss = (terms[1..=views].iter().sum::<f32>() + texture) * step.loss_scale;
-        if loss < self.best_loss {
+        if loss < self.best_loss || step.keeps_last() {
             self.best_loss = loss;
             self.best_points.clear();
             self.best_points.extend_from_slice(points);
@@ -179,9 +205,12 @@ pub struct Place {
 }
 
 /// Loss terms that are not a view's, in their order after those.
-pub(super) const OTHER_TERMS: [&str; 4] = ["jerk", "length", "surface", "texture"];
+pub(super) const OTHER_TERMS: [&str; 8] =
+    ["jerk", "length", "surface", "texture", "bending", "tightness", "evenness", "clearance"];
+/// Which of them is the texture's.
+const TEXTURE_TERM: usize = 3;
 
-/// Number of loss terms a row: total, one a view, jerk, length, surface, texture.
+/// Number of loss terms a row: total, one a view, jerk, length, surface, texture, bending, tightness, evenness, clearance.
 pub fn term_count(views: usize) -> usize {
     1 + views + OTHER_TERMS.len()
 }
@@ -210,6 +239,9 @@ pub trait Engine: Send {
 
     /// Replaces the planes that samples are pulled to by as many others.
     fn set_planes(&mut self, planes: Vec<[f32; 4]>);
+
+    /// Replaces who may come too near whom.
+    fn set_neighbours(&mut self, neighbours: Neighbours);
 
     /// Loss terms at `points` (in the order of [`term_count`]; weighted) into `terms`, and the gradient of the total into
     /// `d_points`. Results need not be finite; the session looks after that.

@@ -3,7 +3,9 @@
 use super::bending::Bender;
 use super::engine::{Scene, SceneView};
 use super::{Seen, Session, Stage};
+use crate::objective::Neighbours;
 use crate::view::{Image, Target};
+use crate::wire::Nodes;
 use crate::{Error, Result};
 
 impl Session {
@@ -51,6 +53,8 @@ impl Session {
             pyramid: self.problem.recipe.pyramid,
             planes: self.planes(),
             texture: self.problem.texture.clone(),
+            nodes: self.nodes(),
+            neighbours: self.neighbours(),
             ..Scene::new(&self.wire, stage.samples_per_span, self.views(inks))
         };
         self.engine.load(scene).done().await;
@@ -95,6 +99,35 @@ impl Session {
         let mut samples = Vec::new();
         sampling.apply(&self.plane_points, &mut samples);
         surface.planes(&samples)
+    }
+
+    /// Where the wire's bending and clearance are measured, if they are.
+    pub(super) fn nodes(&self) -> Option<Nodes<f32>> {
+        self.problem.recipe.smooth.as_ref().map(|smooth| self.wire.nodes(smooth.nodes_per_span))
+    }
+
+    /// Who may come too near whom, as seen at `strand_points`.
+    pub(super) fn neighbours(&self) -> Neighbours {
+        let Some((smooth, nodes)) = self.problem.recipe.smooth.as_ref().zip(self.nodes()) else {
+            return Neighbours::default();
+        };
+        let (mut places, mut first) = (Vec::new(), Vec::new());
+        nodes.place.apply(&self.strand_points, &mut places);
+        nodes.first.apply(&self.strand_points, &mut first);
+        let (one_strand, slack) = smooth.watch(self.px_256);
+        let clearance = smooth.clearance(0.0, self.px_256, 0.0);
+        Neighbours::find(&places, &nodes.lengths(&first), nodes.closed, &clearance, one_strand, slack)
+    }
+
+    /// Mean speed along the wire at `strand_points`, world units a knot unit.
+    pub(super) fn measured_speed(&self) -> f32 {
+        let Some(nodes) = self.nodes() else { return 0.0 };
+        let mut first = Vec::new();
+        nodes.first.apply(&self.strand_points, &mut first);
+        let (start, end) = self.wire.domain();
+        let length: f32 = nodes.lengths(&first).iter().sum();
+        // A wire that has shrunk to a point still has a scale.
+        (length / (end - start) as f32).max(1e-3 * self.px_256 as f32)
     }
 
     /// The target of view `view` as the engine sees it.

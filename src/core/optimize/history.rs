@@ -14,6 +14,10 @@ pub enum EventKind {
     Reinit,
     /// Control points were inserted; the count says how many.
     Refine,
+    /// Control points were laid anew at even steps; the count says how many there are now.
+    Respace,
+    /// Control points were removed that the curve does not need; the count says how many.
+    Thin,
     /// A step made numbers that are not finite and was undone, and the rate halved; the count is the number of
     /// halvings so far.
     Undone,
@@ -36,7 +40,8 @@ pub struct Event {
 /// not be finite; such values are stored as 0.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct History {
-    /// Names of the columns: `total`, each view's, `jerk`, `length`, `surface`, `texture`.
+    /// Names of the columns: `total`, each view's, `jerk`, `length`, `surface`, `texture`, `bending`, `tightness`, `evenness`,
+    /// `clearance`.
     pub columns: Vec<String>,
     values: Vec<f32>,
 }

@@ -1,7 +1,7 @@
 //! How to fit, as pure data, with the presets. Lengths are in pixels of a 128 or 256 px picture (its larger side), so
 //! that one recipe serves any camera and any size.
 
-use super::{AdamOptions, Bending, Schedule, TopologyEvent};
+use super::{AdamOptions, Bending, Schedule, Smooth, TopologyEvent};
 use crate::objective::Pyramid;
 use crate::{Error, Result};
 
@@ -52,6 +52,8 @@ pub struct Recipe {
     pub jerk_width: Schedule,
     /// Weight of the wire's length in half picture sides.
     pub length: Schedule,
+    /// Whether and how the wire is kept a wire; then the last one is the result, else the one with the lowest image loss.
+    pub smooth: Option<Smooth>,
     /// Whether and how targets bend.
     pub bending: Option<Bending>,
     /// When the control points are edited.
@@ -86,6 +88,7 @@ impl Recipe {
             jerk_position: Schedule::Geometric { from: 1e-3, to: 1e-4, until: 0.77 },
             jerk_width: Schedule::Geometric { from: 1e-3, to: 1e-4, until: 0.77 },
             length: Schedule::Constant(0.0),
+            smooth: None,
             bending: None,
             topology: Vec::new(),
         }
@@ -171,6 +174,9 @@ impl Recipe {
         self.jerk_width.check("smoothness of the width")?;
         self.length.check("length weight")?;
         self.adam.check()?;
+        if let Some(smooth) = &self.smooth {
+            smooth.check()?;
+        }
         if let Some(bending) = &self.bending {
             bending.check()?;
         }

@@ -5,7 +5,7 @@ use super::engine::{Engine, Picture, Place, State, Step, Tally, term_count};
 use super::handed::{fitted_size, size_within};
 use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
-use super::topology::TopologyEdit;
+use super::topology::{Respace, TopologyEdit};
 use super::work::wait;
 use super::{CpuEngine, Problem, Stage};
 use crate::objective::Displacement;
@@ -21,7 +21,7 @@ const LACK_SIZE_PX: usize = 64;
 pub struct Session {
     pub(super) problem: Problem,
     /// World units in a pixel of a 256 px picture.
-    px_256: f64,
+    pub(super) px_256: f64,
     pub(super) engine: Box<dyn Engine>,
     /// Form and knots of the present wire; its control points lie in `state`.
     pub(super) wire: Wire,
@@ -43,6 +43,9 @@ pub struct Session {
     pub(super) events: Vec<Event>,
     /// The control points at which the planes of the pull to a surface were last laid; none without such a pull.
     pub(super) plane_points: Vec<[f32; 4]>,
+    /// The control points at which neighbours were last looked for and the wire's speed measured; none where nobody asks.
+    pub(super) strand_points: Vec<[f32; 4]>,
+    pub(super) speed: f32,
     before: (State, Tally),
     steps: Vec<Step>,
     terms: Vec<f32>,
@@ -85,6 +88,8 @@ impl Session {
             engine,
             wire: problem.wire.clone(),
             good: state.clone(),
+            strand_points: if problem.recipe.smooth.is_some() { points.clone() } else { Vec::new() },
+            speed: 0.0,
             plane_points: if problem.surface.is_some() { points } else { Vec::new() },
             before: (state.clone(), tally.clone()),
             state,
@@ -223,6 +228,14 @@ impl Session {
         if planes_due {
             self.plane_points.clone_from(&self.state.points);
         }
+        let strands_due =
+            self.problem.recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every) || i == start);
+        if strands_due {
+            self.strand_points.clone_from(&self.state.points);
+        }
+        if strands_due || self.speed == 0.0 {
+            self.speed = self.measured_speed();
+        }
         if i == start {
             self.load().await;
             // Losses at another size are no measure for this one.
@@ -239,6 +252,10 @@ impl Session {
             if planes_due {
                 let planes = self.planes();
                 self.engine.set_planes(planes);
+            }
+            if strands_due {
+                let neighbours = self.neighbours();
+                self.engine.set_neighbours(neighbours);
             }
         }
         let stage = &self.problem.recipe.stages[index];
@@ -266,6 +283,7 @@ impl Session {
             // Targets bend after an iteration, everything else happens before one.
             recipe.bending.as_ref().is_some_and(|bending| bending.is_due(i - 1, total))
                 || self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i))
+                || recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every))
                 || recipe.topology.iter().any(|event| event.at.iteration(total) == i)
         };
         let mut stop = limit;
@@ -312,9 +330,8 @@ impl Session {
             return;
         }
         std::mem::swap(&mut self.good, &mut self.before.0);
-        if self.tally.best_loss < self.before.1.best_loss
-            && self.best_wire.control_points().len() != self.state.points.len()
-        {
+        let is_best = self.tally.best_loss < self.before.1.best_loss || self.steps.iter().any(Step::keeps_last);
+        if is_best && self.best_wire.control_points().len() != self.state.points.len() {
             self.best_wire = self.wire.clone();
         }
         self.gradient_count = (self.gradient_count + batch as u32).min(window);
@@ -326,6 +343,7 @@ impl Session {
         let recipe = &self.problem.recipe;
         let progress = i as f64 / self.total() as f64;
         let half = self.half_world();
+        let smooth = recipe.smooth.as_ref();
         let factor = 0.5f64.powi(self.halvings as i32) * 2.0 * self.px_256;
         let position = (recipe.position_rate_px.at(progress) * factor) as f32;
         let width = (recipe.width_rate_px.at(progress) * factor) as f32;
@@ -341,6 +359,8 @@ impl Session {
             width_bounds: [self.problem.width.min_world as f32, self.problem.width.max_world as f32],
             loss_scale: 1.0 / level_sum(recipe.level_ratio.at(progress) as f32),
             gradient_share: 0.0,
+            elastic: smooth.map(|smooth| smooth.elastic(progress, self.px_256, self.speed)).unwrap_or_default(),
+            clearance: smooth.map(|smooth| smooth.clearance(progress, self.px_256, self.speed)).unwrap_or_default(),
         }
     }
 
@@ -353,7 +373,7 @@ impl Session {
     fn gradient_window(&self) -> u32 {
         let windows = self.problem.recipe.topology.iter().filter_map(|event| match &event.edit {
             TopologyEdit::Refine(refine) => Some(refine.window as u32),
-            TopologyEdit::Reinit(_) => None,
+            TopologyEdit::Reinit(_) | TopologyEdit::Respace(_) => None,
         });
         windows.max().unwrap_or(0)
     }
@@ -382,6 +402,7 @@ impl Session {
                 self.wire = wire;
                 (EventKind::Refine, count)
             }
+            TopologyEdit::Respace(respace) => (EventKind::Respace, self.respace(respace)),
         };
         self.tally.gradient_norms.clear();
         self.tally.gradient_norms.resize(self.state.points.len(), 0.0);
@@ -391,13 +412,27 @@ impl Session {
         if has_planes {
             self.plane_points.clone_from(&self.state.points);
         }
-        if kind == EventKind::Refine && count > 0 {
+        if self.problem.recipe.smooth.is_some() {
+            self.strand_points.clone_from(&self.state.points);
+            self.speed = self.measured_speed();
+        }
+        if matches!(kind, EventKind::Refine | EventKind::Respace) && count > 0 {
             self.load().await;
         } else if has_planes {
             let planes = self.planes();
             self.engine.set_planes(planes);
         }
         self.record(kind, count);
+    }
+
+    /// Lays the control points anew and says how many there are; 0 where the wire stays as it is.
+    fn respace(&mut self, respace: &Respace) -> usize {
+        let Ok(wire) = self.wire().respaced(respace.spacing_px * self.px_256) else { return 0 };
+        let points: Vec<[f32; 4]> = wire.control_points().iter().map(|point| point.map(|c| c as f32)).collect();
+        self.state = State { adam: super::Adam::new(points.len()), points };
+        self.wire = wire;
+        self.forget_best();
+        self.state.points.len()
     }
 
     async fn reinit(&mut self, options: &Reinit) -> usize {

@@ -33,6 +33,24 @@ pub enum TopologyEdit {
     Reinit(Reinit),
     /// Control points are added where the pictures pull hardest.
     Refine(Refine),
+    /// Control points are laid anew at even steps along the wire.
+    Respace(Respace),
+}
+
+/// Even steps along the wire. Moments start anew.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Respace {
+    /// From control point to control point, pixels of a 256 px picture.
+    pub spacing_px: f64,
+}
+
+impl Respace {
+    fn check(&self) -> Result<()> {
+        if self.spacing_px.is_finite() && self.spacing_px > 0.0 {
+            return Ok(());
+        }
+        Err(Error::setting("spacing", format!("{} px", self.spacing_px), "give a distance above 0"))
+    }
 }
 
 /// An edit and its moment.
@@ -54,6 +72,7 @@ impl TopologyEvent {
         match &self.edit {
             TopologyEdit::Reinit(reinit) => reinit.check(),
             TopologyEdit::Refine(refine) => refine.check(),
+            TopologyEdit::Respace(respace) => respace.check(),
         }
     }
 }

@@ -11,11 +11,14 @@ mod jerk;
 mod layout;
 mod length;
 mod linear_map;
+mod nodes;
+mod respacing;
 mod sampling;
 
 pub use jerk::Jerk;
 pub use layout::{MAX_CONTROL_POINTS, MAX_COORDINATE, MAX_KNOT, MIN_CONTROL_POINTS, MIN_KNOT_SPACING, Span};
 pub use linear_map::{LinearMap, Real, Row};
+pub use nodes::Nodes;
 
 use crate::Result;
 use layout::wire_error;

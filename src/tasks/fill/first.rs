@@ -2,7 +2,7 @@
 
 use super::{Plan, world_per_px};
 use crate::optimize::WidthBounds;
-use crate::settings::{Settings, Task};
+use crate::settings::{Settings, Task, Width};
 use crate::start;
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
@@ -31,13 +31,17 @@ fn width_unit(settings: &Settings) -> f64 {
 /// Bounds of the wire's width. Those of the preset are for lines at its own distance: others may grow until they touch,
 /// and become as thin as the density asks. Those that a person has set hold.
 pub(super) fn width_bounds(settings: &Settings) -> WidthBounds {
-    let (usual, px) = (Task::Fill.preset(settings.preset), width_unit(settings));
+    let (usual, px) = (Task::Fill.preset_with(settings.preset, settings.smooth), width_unit(settings));
     let mut bounds = WidthBounds { min_world: settings.min_width * px, max_world: settings.max_width * px };
     if settings.min_width == usual.min_width {
         bounds.min_world = bounds.min_world.min(width_wanted(settings));
     }
     if settings.max_width == usual.max_width {
         bounds.max_world = bounds.max_world.max(settings.curve_spacing);
+    }
+    if settings.width == Width::Constant {
+        let width = width_wanted(settings).clamp(bounds.min_world, bounds.max_world);
+        bounds = WidthBounds { min_world: width, max_world: width };
     }
     bounds
 }

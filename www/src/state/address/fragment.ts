@@ -49,14 +49,16 @@ export function writeFragment(job: Job, code: string | null, settings: SettingVa
 export function known(settings: SettingValues, table: SettingsTable): SettingValues {
   const valid = Object.entries(settings).filter(([name, value]) => problemWith(name, value, table) === null);
   const preset = presetOf(Object.fromEntries(valid), table);
-  return Object.fromEntries(valid.filter(([name, value]) => (name === "preset" ? value !== DEFAULT_PRESET : value !== preset[name])));
+  const usual: SettingValues = { ...preset, preset: DEFAULT_PRESET, smooth: table.presets[preset["preset"] ?? DEFAULT_PRESET]?.["smooth"] ?? "" };
+  return Object.fromEntries(valid.filter(([name, value]) => value !== usual[name]));
 }
 
 export const DEFAULT_PRESET = "best";
 
-/** Every value of the preset that these settings start from. */
+/** Every value of the preset that these settings start from; whether the wire is kept smooth chooses among them, too. */
 export function presetOf(settings: SettingValues, table: SettingsTable): SettingValues {
-  return table.presets[settings["preset"] ?? DEFAULT_PRESET] ?? {};
+  const preset = settings["preset"] ?? DEFAULT_PRESET;
+  return table.presets[`${preset}/${settings["smooth"]}`] ?? table.presets[preset] ?? {};
 }
 
 /** Why a setting cannot have a value, in words for people; null if it can. */

@@ -1,5 +1,6 @@
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
+import { presetOf } from "../../state/address/fragment";
 import type { Studio, StudioState } from "../../state/studio";
 import { count } from "../../view/count";
 import { Part } from "../../view/part";
@@ -125,7 +126,8 @@ export class StrokeChoices extends Part {
 
   private readonly makeConstant = (event: Event): void => {
     if (!(event.target as HTMLInputElement).checked) {
-      const usual = this.state.tables?.stroke.presets[this.studio.options.value("preset")] ?? {};
+      const table = this.state.tables?.stroke;
+      const usual = table ? presetOf(this.studio.options.all, table) : {};
       this.setWidths({ low: Number(usual["min_width"] ?? 1), high: Number(usual["max_width"] ?? WIDTHS[1]) });
       return;
     }

@@ -18,6 +18,9 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   backend: { label: "Where it is computed", choices: { auto: "Best there is", cpu: "Processor", gpu: "Graphics card" } },
   when_hidden: { label: "When this tab is hidden", choices: { go: "Keep going", pause: "Pause" } },
 
+  smooth: { label: "Keep it smooth", choices: { on: "Yes", off: "No, follow every line" } },
+  width: { label: "Width", choices: { varying: "Thick and thin", constant: "The same everywhere" } },
+  bend_radius: { label: "Least bend radius", slider: [0, 5, 0.25] },
   form: { label: "Form", choices: { wire: "One smooth wire", chain: "Curves with corners", bag: "Loose curves" } },
   control_points: { label: "Control points", slider: [0, 2000, 10] },
   spacing: { label: "Distance between points", slider: [1, 12, 0.5] },
@@ -33,10 +36,10 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   min_stroke: { label: "Thicken thin lines to", slider: [0, 12, 0.5] },
   max_stretch: { label: "Most stretching", slider: [1, 2, 0.05] },
 
-  start: { label: "First wire", choices: { tree: "Grown through the drawings", contour: "Along the outline, inwards", stripes: "Parallel lines, joined", tour: "A tour of points", hull: "Inside their volume", ball: "In a ball" } },
+  start: { label: "First wire", choices: { circuit: "A circuit through the drawings", tree: "Grown through them, there and back", contour: "Along the outline, inwards", stripes: "Parallel lines, joined", tour: "A tour of points", hull: "Inside their volume", ball: "In a ball" } },
   reinit: { label: "Reuse points that vanish" },
   refine: { label: "Add points where needed" },
-  smoothness: { label: "Smoothness", slider: [0, 5, 0.1] },
+  smoothness: { label: "Calm", slider: [0, 5, 0.1] },
 
   stroke_start: { label: "First wire", choices: { contour: "Along the outline, inwards", points: "Through points inside", ball: "In a ball" } },
   shading: { label: "The front shows", choices: { lines: "Lines, wide where it is dark", grey: "The picture's greys" } },
@@ -68,6 +71,8 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   visibility_bias: { label: "Half seen when so far behind", slider: [0, 0.2, 0.01] },
   surface_pull: { label: "Held to the surface", slider: [0, 10, 0.25] },
 
+  clearance: { label: "Push between strands", slider: [0, 5, 0.25] },
+  tightness: { label: "Push against tight bends", slider: [0, 5, 0.25] },
   position_rate: { label: "Rate of positions", slider: [0.05, 2, 0.05] },
   width_rate: { label: "Rate of widths", slider: [0, 1, 0.01] },
   pyramid: { label: "Picture pyramid", choices: { average: "Averages", gaussian: "Gaussian" } },

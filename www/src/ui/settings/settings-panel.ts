@@ -9,6 +9,7 @@ import "./setting-control";
 import { GROUPS, WORDS } from "./setting-words";
 import { controls } from "../shared/shared";
 import { deviceOf } from "./device-words";
+import { presetOf } from "../../state/address/fragment";
 import { rendererWord } from "../../state/address/renderer";
 
 /** The first two stand beside Run; ink is found pad by pad, and an object is chosen where it is seen. */
@@ -143,7 +144,7 @@ export class SettingsPanel extends Part {
   }
 
   private usual(name: string): string {
-    return this.table?.presets[this.studio.options.value("preset")]?.[name] ?? "";
+    return this.table ? (presetOf(this.studio.options.all, this.table)[name] ?? "") : "";
   }
 }
 
