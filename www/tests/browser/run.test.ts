@@ -52,6 +52,8 @@ it("turns three drawings into one wire: the loss falls, every view matches, a se
   }
   expect(await pieces()).toBe("1");
   expect(await page.locator(".verdict").textContent()).toMatch(/match|ink/);
+  expect(await figure(page, "Bends")).toMatch(/tighter than a hand can bend/);
+  expect(await figure(page, "Strands")).toMatch(/passes through itself in [\d,]+ places?/);
   await inspect(page, "after-run");
   // …and undo brings the example's wire back.
   await button(/^Undo: Make the wire/).click();
