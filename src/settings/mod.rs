@@ -409,6 +409,8 @@ settings! {
     Surface /// How strongly the wire is held to the surface.
     surface_pull: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
 
+    Expert /// How far the finished curve may move so that control points can go that it does without; 0 keeps them all.
+    thin: f64 = 0.0, "px at 256", Number { min: 0.0, max: 8.0 };
     Expert /// How strongly strands push each other away, where the wire is kept smooth.
     clearance: f64 = 1.0, "times", Number { min: 0.0, max: 1000.0 };
     Expert /// How strongly bends that are too tight open, where the wire is kept smooth.

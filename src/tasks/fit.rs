@@ -4,7 +4,7 @@ use crate::metrics::EventReport;
 use crate::objective::Pyramid;
 use crate::optimize::{
     AdamOptions, Bending, Event, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Respace, Schedule, SecondMoment,
-    Session, Smooth, TopologyEdit, TopologyEvent,
+    Session, Smooth, Thin, TopologyEdit, TopologyEvent,
 };
 use crate::settings::{self, Bend, OnOff, Preset, Settings};
 
@@ -109,6 +109,9 @@ fn bending(bend: Bend) -> Option<Bending> {
     }
 }
 
+/// Share of the run after which spare control points go: the rest of it makes up for what that moves.
+const THINNED: f64 = 0.9;
+
 /// Re-initialisation after a sixth and a third of the run, refinement after two thirds (the paper's shares).
 fn topology(settings: &Settings) -> Vec<TopologyEvent> {
     let new_point = match settings.new_point {
@@ -122,6 +125,9 @@ fn topology(settings: &Settings) -> Vec<TopologyEvent> {
         for share in [1.0 / 6.0, 1.0 / 3.0] {
             events.push(at(share, TopologyEdit::Reinit(Reinit { new_point, ..Reinit::default() })));
         }
+    }
+    if settings.thin > 0.0 {
+        events.push(at(THINNED, TopologyEdit::Thin(Thin { tolerance_px: settings.thin })));
     }
     if settings.refine {
         events.push(at(2.0 / 3.0, TopologyEdit::Refine(Refine::default())));

@@ -30,5 +30,5 @@ pub use schedule::Schedule;
 pub use session::Session;
 pub use smooth::Smooth;
 pub use surface::Surface;
-pub use topology::{Moment, Refine, Respace, TopologyEdit, TopologyEvent};
+pub use topology::{Moment, Refine, Respace, Thin, TopologyEdit, TopologyEvent};
 pub use work::{Work, wait};

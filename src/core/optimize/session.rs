@@ -5,7 +5,7 @@ use super::engine::{Engine, Picture, Place, State, Step, Tally, term_count};
 use super::handed::{fitted_size, size_within};
 use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
-use super::topology::{Respace, TopologyEdit};
+use super::topology::TopologyEdit;
 use super::work::wait;
 use super::{CpuEngine, Problem, Stage};
 use crate::objective::Displacement;
@@ -373,7 +373,7 @@ impl Session {
     fn gradient_window(&self) -> u32 {
         let windows = self.problem.recipe.topology.iter().filter_map(|event| match &event.edit {
             TopologyEdit::Refine(refine) => Some(refine.window as u32),
-            TopologyEdit::Reinit(_) | TopologyEdit::Respace(_) => None,
+            TopologyEdit::Reinit(_) | TopologyEdit::Respace(_) | TopologyEdit::Thin(_) => None,
         });
         windows.max().unwrap_or(0)
     }
@@ -402,7 +402,16 @@ impl Session {
                 self.wire = wire;
                 (EventKind::Refine, count)
             }
-            TopologyEdit::Respace(respace) => (EventKind::Respace, self.respace(respace)),
+            TopologyEdit::Respace(respace) => {
+                let wire = self.wire().respaced(respace.spacing_px * self.px_256);
+                (EventKind::Respace, self.continue_with(wire))
+            }
+            TopologyEdit::Thin(thin) => {
+                let before = self.state.points.len();
+                let wire = self.wire().without_spare_knots(thin.tolerance_px * self.px_256);
+                let kept = self.continue_with(wire);
+                (EventKind::Thin, if kept > 0 { before - kept } else { 0 })
+            }
         };
         self.tally.gradient_norms.clear();
         self.tally.gradient_norms.resize(self.state.points.len(), 0.0);
@@ -416,7 +425,7 @@ impl Session {
             self.strand_points.clone_from(&self.state.points);
             self.speed = self.measured_speed();
         }
-        if matches!(kind, EventKind::Refine | EventKind::Respace) && count > 0 {
+        if matches!(kind, EventKind::Refine | EventKind::Respace | EventKind::Thin) && count > 0 {
             self.load().await;
         } else if has_planes {
             let planes = self.planes();
@@ -425,9 +434,9 @@ impl Session {
         self.record(kind, count);
     }
 
-    /// Lays the control points anew and says how many there are; 0 where the wire stays as it is.
-    fn respace(&mut self, respace: &Respace) -> usize {
-        let Ok(wire) = self.wire().respaced(respace.spacing_px * self.px_256) else { return 0 };
+    /// Goes on with another wire in this one's place, and says how many control points it has; 0 where there is none.
+    fn continue_with(&mut self, wire: Result<Wire>) -> usize {
+        let Ok(wire) = wire else { return 0 };
         let points: Vec<[f32; 4]> = wire.control_points().iter().map(|point| point.map(|c| c as f32)).collect();
         self.state = State { adam: super::Adam::new(points.len()), points };
         self.wire = wire;

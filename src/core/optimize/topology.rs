@@ -35,6 +35,24 @@ pub enum TopologyEdit {
     Refine(Refine),
     /// Control points are laid anew at even steps along the wire.
     Respace(Respace),
+    /// Control points go that the curve can do without.
+    Thin(Thin),
+}
+
+/// Knot removal: the curve stays within a tolerance of where it is. Moments start anew.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Thin {
+    /// How far the curve may move, pixels of a 256 px picture.
+    pub tolerance_px: f64,
+}
+
+impl Thin {
+    fn check(&self) -> Result<()> {
+        if self.tolerance_px.is_finite() && self.tolerance_px >= 0.0 {
+            return Ok(());
+        }
+        Err(Error::setting("thin", format!("{} px", self.tolerance_px), "give a distance from 0 up"))
+    }
 }
 
 /// Even steps along the wire. Moments start anew.
@@ -73,6 +91,7 @@ impl TopologyEvent {
             TopologyEdit::Reinit(reinit) => reinit.check(),
             TopologyEdit::Refine(refine) => refine.check(),
             TopologyEdit::Respace(respace) => respace.check(),
+            TopologyEdit::Thin(thin) => thin.check(),
         }
     }
 }

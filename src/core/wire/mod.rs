@@ -12,6 +12,7 @@ mod layout;
 mod length;
 mod linear_map;
 mod nodes;
+mod removal;
 mod respacing;
 mod sampling;
 

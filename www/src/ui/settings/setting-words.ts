@@ -71,6 +71,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   visibility_bias: { label: "Half seen when so far behind", slider: [0, 0.2, 0.01] },
   surface_pull: { label: "Held to the surface", slider: [0, 10, 0.25] },
 
+  thin: { label: "Spare points within", slider: [0, 1, 0.05] },
   clearance: { label: "Push between strands", slider: [0, 5, 0.25] },
   tightness: { label: "Push against tight bends", slider: [0, 5, 0.25] },
   position_rate: { label: "Rate of positions", slider: [0.05, 2, 0.05] },
