@@ -214,7 +214,9 @@ impl Row {
     fn drawing(&self, view: &str, bend: &str) -> Result<GrayImage> {
         let bent = self.out.join(format!("{view}-bent.png"));
         let path = if bend != "none" && bent.is_file() { bent } else { self.out.join(format!("{view}-target.png")) };
-        Ok(image::open(&path).map_err(|error| format!("{}: {error}", path.display()))?.to_luma8())
+        let mut picture = image::open(&path).map_err(|error| format!("{}: {error}", path.display()))?.to_luma8();
+        imageops::invert(&mut picture);
+        Ok(picture)
     }
 }
 

@@ -23,10 +23,11 @@ const SHADOW: f64 = 0.04;
 const LIT: f64 = 0.34;
 const SHINE: f64 = 0.5;
 /// Share of the way to the paper's grey at the far end of the object, and nothing at the near one.
-const HAZE: f64 = 0.62;
-/// Width of the gap beside a strand in radii, and how far behind it something must be to begin to vanish and to be gone,
-/// world units.
-const GAP: f64 = 1.0;
+const HAZE: f64 = 0.55;
+/// Width of the gap beside a strand in radii, and the share of what lies in it that is left out.
+const GAP: f64 = 0.6;
+const LEFT_OUT: f64 = 0.8;
+/// How far behind a strand something must be for the gap to begin and to be whole, world units.
 const BEHIND: [f64; 2] = [0.06, 0.14];
 
 /// What one place of the picture shows.
@@ -54,7 +55,7 @@ pub fn draw(wire: &Wire, view: &View) -> GrayImage {
         }
         let haze = HAZE * (place.depth - near) / (far - near).max(1e-9);
         let hidden = (place.depth - place.gap - BEHIND[0]) / (BEHIND[1] - BEHIND[0]);
-        let paper = 1.0 - (1.0 - haze.clamp(0.0, 1.0)) * (1.0 - hidden.clamp(0.0, 1.0));
+        let paper = 1.0 - (1.0 - haze.clamp(0.0, 1.0)) * (1.0 - LEFT_OUT * hidden.clamp(0.0, 1.0));
         let metal = 255.0 * place.grey;
         (metal + paper * (f64::from(PAPER) - metal)).round() as u8
     };
@@ -158,12 +159,12 @@ mod tests {
     fn what_is_in_front_is_seen_whole_and_cuts_what_is_behind() {
         let front = seen(&crossing(0.3, -0.3), "0,0");
         let behind = seen(&crossing(-0.3, 0.3), "0,0");
-        // 7 px beside the crossing there is a strand behind, or the gap that the one in front leaves.
-        assert!(grey(&front, 7, 0) < 150 && grey(&front, 0, 7) > 200, "{} {}", grey(&front, 7, 0), grey(&front, 0, 7));
-        assert!(grey(&behind, 0, 7) < 150 && grey(&behind, 7, 0) > 200);
+        // 6 px beside the crossing there is a strand behind, or the gap that the one in front leaves.
+        assert!(grey(&front, 6, 0) < 150 && grey(&front, 0, 6) > 200, "{} {}", grey(&front, 6, 0), grey(&front, 0, 6));
+        assert!(grey(&behind, 0, 6) < 150 && grey(&behind, 6, 0) > 200);
         // From behind it is the other way round.
         let back = seen(&crossing(0.3, -0.3), "180,0");
-        assert!(grey(&back, 0, 7) < 150 && grey(&back, 7, 0) > 200);
+        assert!(grey(&back, 0, 6) < 150 && grey(&back, 6, 0) > 200);
         // Far is paler, and the ground is paper.
         assert!(grey(&front, 25, 0) + 40 < grey(&front, 0, 25));
         assert_eq!(grey(&front, 30, 30), PAPER);
