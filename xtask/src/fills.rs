@@ -1,8 +1,8 @@
 //! `cargo xtask fills`: covers built-in shapes in built-in styles, draws contact sheets and prints a table of figures.
 
-use crate::Result;
 use crate::picture::save_lines;
 use crate::shell::{command, root, run as run_command, say};
+use crate::{Result, elegance};
 use image::{GrayImage, Luma, imageops};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -46,9 +46,10 @@ pub fn run(arguments: &[String]) -> Result {
         _ => (None, arguments),
     };
     println!(
-        "| run | length | area / length / spacing | mean | 99% | worst | near | drift | pieces | points | covering s | fit s |"
+        "| run | length | area / length / spacing | mean | 99% | worst | near | drift | pieces | covering s | fit s |{}",
+        elegance::headings()
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|{}", elegance::rule());
     for (sheet, columns, cells) in sheets() {
         if only.is_none_or(|word| word == sheet) {
             draw(sheet, columns, &cells, extra)?;
@@ -123,7 +124,7 @@ fn table_line(name: &str, out: &Path) -> Result<String> {
     let surface = &result["surface"];
     let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
     Ok(format!(
-        "| {name} | {:.1} | {:.3} | {:.3} | {:.3} | {:.2} | {:.2}% | {:.3} | {} | {} | {:.1} | {:.1} |",
+        "| {name} | {:.1} | {:.3} | {:.3} | {:.3} | {:.2} | {:.2}% | {:.3} | {} | {:.1} | {:.1} |{}",
         number(&result["length"]),
         number(&surface["spacing_ratio"]),
         number(&surface["mean"]),
@@ -132,8 +133,8 @@ fn table_line(name: &str, out: &Path) -> Result<String> {
         100.0 * number(&surface["crowded"]),
         number(&surface["drift_max"]),
         result["components"],
-        result["control_points"],
         number(&time["start_s"]),
         number(&time["optimize_s"]),
+        elegance::cells(&[&elegance::Figures::of(&report, out)]),
     ))
 }

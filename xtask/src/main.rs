@@ -3,6 +3,7 @@
 
 mod budget;
 mod build;
+mod elegance;
 mod figures;
 mod fills;
 mod gallery;
@@ -15,6 +16,7 @@ mod speed;
 mod strokes;
 mod tables;
 mod test;
+mod tube;
 mod wasm;
 
 use std::process::ExitCode;
@@ -34,7 +36,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "build", options: "", help: build::HELP, run: build::run },
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "fills", options: "[shapes|styles|density]", help: fills::HELP, run: fills::run },
-    Verb { name: "gallery", options: "[--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
+    Verb { name: "gallery", options: "[--before] [--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
     Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },
     Verb { name: "tables", options: "[--quick] [--only NAME]", help: tables::HELP, run: tables::run },

@@ -1,7 +1,7 @@
 //! The contact sheet: each picture, and its wire from the front and turned; and a table of figures.
 
-use crate::Result;
 use crate::shell::{command, root, run as run_command, say};
+use crate::{Result, elegance};
 use image::{DynamicImage, Rgba, RgbaImage, imageops};
 use serde_json::Value;
 use std::path::Path;
@@ -25,8 +25,11 @@ pub fn run(names: &[&str], extra: &[String]) -> Result {
         rows * (CELL + GAP) + GAP,
         Rgba([150, 150, 150, 255]),
     );
-    println!("| picture | front soft IoU | sides' precision | sides' recall | pieces | points | length | seconds |");
-    println!("|---|---|---|---|---|---|---|---|");
+    println!(
+        "| picture | front soft IoU | sides' precision | sides' recall | pieces | length | seconds |{}",
+        elegance::headings()
+    );
+    println!("|---|---|---|---|---|---|---|{}", elegance::rule());
     for (k, name) in names.iter().enumerate() {
         let (column, row) = (k as u32 % COLUMNS, k as u32 / COLUMNS);
         let source = root.join("tests/strokes").join(format!("{name}.png"));
@@ -88,13 +91,13 @@ fn table_line(name: &str, out: &Path) -> Result<String> {
         values.iter().sum::<f64>() / values.len().max(1) as f64
     };
     Ok(format!(
-        "| {name} | {:.3} | {:.3} | {:.3} | {} | {} | {:.0} | {:.1} |",
+        "| {name} | {:.3} | {:.3} | {:.3} | {} | {:.0} | {:.1} |{}",
         views.first().and_then(|view| view["soft_iou"].as_f64()).unwrap_or(0.0),
         sides("precision_2px"),
         sides("recall_2px"),
         result["components"],
-        result["control_points"],
         result["length"].as_f64().unwrap_or(0.0),
         report["time"]["total_s"].as_f64().unwrap_or(0.0),
+        elegance::cells(&[&elegance::Figures::of(&report, out)]),
     ))
 }

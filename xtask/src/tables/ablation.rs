@@ -4,7 +4,7 @@ use super::chart::{Across, Panel, Series, svg};
 use super::forms::{FORMS, POINTS, SCHEDULES, options};
 use super::runs::Runs;
 use super::text::{CELLS, COLUMNS, Column, Measured, Row, csv, markdown};
-use super::{Page, Result};
+use super::{Figure, Page, Result};
 
 /// Name and options beside those of the schedule. The first is the run without either, as in the table of forms.
 const PAPER: &[(&str, &[&str])] = &[
@@ -43,8 +43,8 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
          Re-initialisation after a sixth and a third of the run moves control points thinner than 0.1 px of 256, to random \
          places (the paper's text) or to where every view has ink and some still lack it, next to the nearest part of the \
          wire (our default). Refinement after two thirds adds a third more where the pictures pull hardest; the curve stays \
-         the same at that moment. `ours`: preset `best` with as few points, at least a pixel wide, from a tree, from points \
-         of the visual hull or from the ball. {}\n\n{CELLS}\n\n{}\n\
+         the same at that moment. `ours`: preset `best` with `--smooth off` and as few points, at least a pixel wide, from a tree, \
+         from points of the visual hull or from the ball. {}\n\n{CELLS}\n\n{}\n\
          ![The paper's schedule as bars, with the deviation over inputs](ablation.svg)\n",
         runs.said(inputs),
         markdown(&rows, &columns),
@@ -70,5 +70,5 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
         panel("components, count", "components"),
         panel("connectivity cost, object's radii", "connectivity_cost"),
     ]);
-    Ok(Page { markdown: text, csv: csv(&rows), svg: Some(figure) })
+    Ok(Page { markdown: text, csv: csv(&rows), figure: Some(Figure::Svg(figure)) })
 }

@@ -3,7 +3,7 @@
 use super::chart::{Across, Panel, Series, svg};
 use super::runs::{COMMON, Runs};
 use super::text::{CELLS, COLUMNS, Measured, Row, csv, markdown};
-use super::{Page, Result};
+use super::{Figure, Page, Result};
 
 /// Divides into whole segments of every form.
 pub const POINTS: usize = 220;
@@ -12,8 +12,9 @@ pub const POINTS: usize = 220;
 /// for three spans of the wire, a bag's for four.
 pub const FORMS: [(&str, usize); 3] = [("wire", 8), ("chain", 24), ("bag", 32)];
 
-/// Two ways to fit: the paper's, and ours with as few control points.
-pub const SCHEDULES: [(&str, &[&str]); 2] = [("paper", &["--preset", "paper"]), ("ours", &["--preset", "best"])];
+/// Two ways to fit: the paper's, and ours with as few control points. Neither keeps the wire smooth: a bag cannot be.
+pub const SCHEDULES: [(&str, &[&str]); 2] =
+    [("paper", &["--preset", "paper"]), ("ours", &["--preset", "best", "--smooth", "off"])];
 
 /// Options of a fit of `points` control points in a form, neither re-initialised nor refined.
 pub fn options(schedule: &[&str], (form, samples): (&str, usize), points: usize) -> Vec<String> {
@@ -49,8 +50,8 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
          separate Béziers, each with {POINTS} control points of x, y, z and width: {} degrees of freedom, checked in every \
          run's report (73 segments make a chain, 55 a bag). All forms start as the same curve, are drawn through as many \
          points while fitting (8, 24 and 32 a span) and pay the same price for the same jerk. `paper`: its schedule and its \
-         start, a ball of points; widths may vanish. `ours`: preset `best` with as few points, from a tree; at least a \
-         pixel wide, and the same for every seed. No re-initialisation, no refinement. {}\n\n\
+         start, a ball of points; widths may vanish. `ours`: preset `best` with `--smooth off` and as few points, from a tree; \
+         at least a pixel wide, and the same for every seed. No re-initialisation, no refinement. {}\n\n\
          {CELLS} Overlaps and distances are means over the views, against the same arranged drawings. Jerk is within \
          segments, over the same parameter range in every form; a chain's corners (joints that turn by more than 30°) \
          and a bag's gaps are not in it.\n\n{}\n![The same as bars, with the deviation over inputs](forms.svg)\n",
@@ -65,7 +66,7 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
         panel("components, count", "components"),
         panel("connectivity cost, object's radii", "connectivity_cost"),
     ]);
-    Ok(Page { markdown: text, csv: csv(&rows), svg: Some(figure) })
+    Ok(Page { markdown: text, csv: csv(&rows), figure: Some(Figure::Svg(figure)) })
 }
 
 /// `rows` in groups of one bar a series.

@@ -11,8 +11,10 @@ mod stats;
 mod stroke;
 mod sweep;
 mod text;
+mod wire;
 
-use crate::{Result, shell};
+use crate::{Result, picture, shell};
+use image::GrayImage;
 use runs::{Runs, Size};
 use std::path::{Path, PathBuf};
 
@@ -31,13 +33,20 @@ const TABLES: &[Table] = &[
     Table { name: "projection", make: projection::make },
     Table { name: "rational", make: rational::make },
     Table { name: "stroke", make: stroke::make },
+    Table { name: "wire", make: wire::make },
 ];
 
 /// What one table leaves behind.
 struct Page {
     markdown: String,
     csv: String,
-    svg: Option<String>,
+    figure: Option<Figure>,
+}
+
+/// A figure that lies beside the page: bars and curves, or wires as they look.
+enum Figure {
+    Svg(String),
+    Png(GrayImage),
 }
 
 /// Options: `--quick` (fewer inputs, one seed, into out/tables), `--only NAME` (repeatable).
@@ -65,8 +74,10 @@ pub fn run(arguments: &[String]) -> Result {
         let page = (table.make)(&mut runs)?;
         write(&folder, table.name, "md", &page.markdown)?;
         write(&folder, table.name, "csv", &page.csv)?;
-        if let Some(svg) = &page.svg {
-            write(&folder, table.name, "svg", svg)?;
+        match page.figure {
+            Some(Figure::Svg(svg)) => write(&folder, table.name, "svg", &svg)?,
+            Some(Figure::Png(png)) => picture::save_lines(png, &folder.join(format!("{}.png", table.name)))?,
+            None => {}
         }
     }
     Ok(())

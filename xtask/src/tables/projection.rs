@@ -1,7 +1,7 @@
 //! The paper's error figure, from the bench that draws it.
 
 use super::runs::Runs;
-use super::{Page, Result};
+use super::{Figure, Page, Result};
 use crate::shell;
 
 pub fn make(_: &mut Runs) -> Result<Page> {
@@ -27,7 +27,7 @@ pub fn make(_: &mut Runs) -> Result<Page> {
     );
     let lines = rows.iter().map(|row| row.join(",") + "\n");
     let csv = format!("pieces,bound_px,largest_px,mean_px,drawn_px,by_arc_length\n{}", lines.collect::<String>());
-    Ok(Page { markdown: text, csv, svg: Some(std::fs::read_to_string(&figure)?) })
+    Ok(Page { markdown: text, csv, figure: Some(Figure::Svg(std::fs::read_to_string(&figure)?)) })
 }
 
 /// The lines of six numbers.

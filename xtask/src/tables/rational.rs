@@ -2,7 +2,7 @@
 
 use super::chart::{Across, Panel, Series, svg};
 use super::runs::Runs;
-use super::{Page, Result};
+use super::{Figure, Page, Result};
 use crate::shell;
 
 /// Pieces a span of the bench's linearised rows.
@@ -50,7 +50,7 @@ pub fn make(_: &mut Runs) -> Result<Page> {
         panel("210 points: largest error, px of 512", "largest_px"),
         panel("210 points: coverage, edge rms, of 1", "edge_rms"),
     ]);
-    Ok(Page { markdown: text, csv, svg: Some(figure) })
+    Ok(Page { markdown: text, csv, figure: Some(Figure::Svg(figure)) })
 }
 
 /// The bench's table.

@@ -4,6 +4,7 @@ use crate::{Result, shell};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use wire4d_core::wire::Wire;
 
 /// How much to run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +31,7 @@ pub type Figures = BTreeMap<String, f64>;
 
 pub struct Runs {
     pub size: Size,
-    done: BTreeMap<Case, Figures>,
+    done: BTreeMap<Case, (Figures, Wire)>,
 }
 
 impl Runs {
@@ -43,6 +44,14 @@ impl Runs {
         match self.size {
             Size::Full => &["t01-animals", "t06-icons", "p02-garden"],
             Size::Quick => &["t06-icons"],
+        }
+    }
+
+    /// Folders of tests/drawings for how a wire runs: two pairs and two triples of lines.
+    pub fn lines(&self) -> &'static [&'static str] {
+        match self.size {
+            Size::Full => &["p02-garden", "p03-faces", "t01-animals", "t03-vehicles"],
+            Size::Quick => &["p03-faces"],
         }
     }
 
@@ -69,9 +78,23 @@ impl Runs {
 
     /// The figures of one run.
     pub fn figures(&mut self, case: &Case) -> Result<Figures> {
-        if let Some(known) = self.done.get(case) {
-            return Ok(known.clone());
+        Ok(self.made(case)?.0.clone())
+    }
+
+    /// The wire of one run.
+    pub fn wire(&mut self, case: &Case) -> Result<&Wire> {
+        Ok(&self.made(case)?.1)
+    }
+
+    fn made(&mut self, case: &Case) -> Result<&(Figures, Wire)> {
+        if !self.done.contains_key(case) {
+            let made = self.run(case)?;
+            self.done.insert(case.clone(), made);
         }
+        Ok(&self.done[case])
+    }
+
+    fn run(&self, case: &Case) -> Result<(Figures, Wire)> {
         let root = shell::root();
         // Two of these may run side by side.
         let out = root.join(format!("out/tables/made-{}", std::process::id()));
@@ -85,7 +108,8 @@ impl Runs {
             return Err(format!("{case:?}: {}", String::from_utf8_lossy(&output.stderr).trim()).into());
         }
         let read = |name: &str| -> Result<Value> { Ok(serde_json::from_slice(&std::fs::read(out.join(name))?)?) };
-        let figures = figures(&read("report.json")?, &read("wire.json")?);
+        let wire = read("wire.json")?;
+        let figures = figures(&read("report.json")?, &wire);
         shell::say(format!(
             "{} {} seed {}: soft IoU {:.3}, {} components, {:.1} s",
             case.input,
@@ -96,8 +120,7 @@ impl Runs {
             figures["seconds"],
         ));
         let _ = std::fs::remove_dir_all(&out);
-        self.done.insert(case.clone(), figures.clone());
-        Ok(figures)
+        Ok((figures, serde_json::from_value(wire)?))
     }
 }
 
@@ -113,7 +136,20 @@ fn pictures(root: &Path, input: &str) -> (&'static str, Vec<PathBuf>) {
 
 /// Figures of pictures that are means over the views: every view of several drawings, the front of a single picture.
 const OF_VIEWS: &[&str] = &["soft_iou", "precision_2px", "recall_2px", "ms_ssim", "edge_distance_px", "tone_match"];
-const OF_WIRE: &[&str] = &["components", "connectivity_cost", "length", "jerk", "control_points", "min_width"];
+const OF_WIRE: &[&str] = &[
+    "components",
+    "connectivity_cost",
+    "length",
+    "jerk",
+    "control_points",
+    "min_width",
+    "kinks",
+    "tight_share",
+    "touching_share",
+    "penetrating_share",
+    "turning_per_unit",
+    "length_over_lines",
+];
 
 fn figures(report: &Value, wire: &Value) -> Figures {
     let mut figures = Figures::new();

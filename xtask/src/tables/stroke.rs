@@ -4,7 +4,7 @@ use super::chart::{Across, Panel, Series, svg};
 use super::forms::{FORMS, POINTS};
 use super::runs::{Runs, Size};
 use super::text::{CELLS, Column, Measured, Row, csv, markdown};
-use super::{Page, Result};
+use super::{Figure, Page, Result};
 
 const COLUMNS: &[Column] = &[
     ("soft_iou", "soft IoU", 3),
@@ -23,7 +23,8 @@ const COLUMNS: &[Column] = &[
 /// The picture's own greys: a target that depends on no other option.
 const GREY: &[&str] = &["--shading", "grey"];
 const PAPER: &[&str] = &["--preset", "paper"];
-const OURS: &[&str] = &["--preset", "best"];
+/// As free to bend sharply as the paper's, so that starts and forms alone differ.
+const OURS: &[&str] = &["--preset", "best", "--smooth", "off"];
 const NO_EDITS: &[&str] = &["--no-reinit", "--no-refine"];
 
 /// A part of the page: a heading, what it compares, and its rows.
@@ -112,8 +113,8 @@ fn sweep(size: Size) -> Part {
     let each = |&count: &usize| row(format!("{count} points"), &[OURS, GREY], &points(count), &[0]);
     Part {
         heading: "Degrees of freedom",
-        words: "Preset `best` with a given number of control points, against the same greys in every row; seed 0, on which \
-                only the sides depend.",
+        words: "Preset `best` with `--smooth off` and a given number of control points, against the same greys in every row; \
+                seed 0, on which only the sides depend.",
         rows: counts.iter().map(each).collect(),
     }
 }
@@ -140,7 +141,7 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
         all.extend(measured);
     }
     text += "\n![The forms as bars, with the deviation over inputs](stroke.svg)\n";
-    Ok(Page { markdown: text, csv: csv(&all), svg: Some(svg(&panels)) })
+    Ok(Page { markdown: text, csv: csv(&all), figure: Some(Figure::Svg(svg(&panels))) })
 }
 
 /// The forms in two groups, one a schedule.

@@ -4,7 +4,7 @@ use super::chart::{Across, Panel, Series, svg};
 use super::forms::{FORMS, SCHEDULES, options};
 use super::runs::{Runs, Size};
 use super::text::{CELLS, COLUMNS, Measured, Row, csv, markdown};
-use super::{Page, Result};
+use super::{Figure, Page, Result};
 
 pub fn make(runs: &mut Runs) -> Result<Page> {
     // A triple and a pair: this table has the most rows.
@@ -29,8 +29,8 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
     let counted: Vec<String> = rows.iter().map(|row| format!("{} has {}", row.name, freedom(row))).collect();
     let text = format!(
         "# Degrees of freedom\n\n\
-         Preset `best` from a tree, at least a pixel wide, with a given number of control points of x, y, z and width; no \
-         re-initialisation or refinement; the start and the fit are the same for every seed. Degrees of freedom, from the \
+         Preset `best` with `--smooth off` from a tree, at least a pixel wide, with a given number of control points of x, \
+         y, z and width; no re-initialisation or refinement; the start and the fit are the same for every seed. Degrees of freedom, from the \
          reports: {}. (60 points make 19 whole segments of a chain, 58 points.) {}\n\n{CELLS}\n\n{}\n\
          ![The same over the number of control points, with the deviation over inputs](sweep.svg)\n",
         counted.join("; "),
@@ -59,5 +59,5 @@ pub fn make(runs: &mut Runs) -> Result<Page> {
         panel("edge distance, px of 256", "edge_distance_px"),
         panel("components, count", "components"),
     ]);
-    Ok(Page { markdown: text, csv: csv(&rows), svg: Some(figure) })
+    Ok(Page { markdown: text, csv: csv(&rows), figure: Some(Figure::Svg(figure)) })
 }
