@@ -75,6 +75,19 @@ impl Grid {
         std::array::from_fn(|c| (index[c] as f64 - (self.size[c] - 1) as f64 / 2.0) * self.spacing_world)
     }
 
+    /// The voxel in which a point of the world lies; `None` outside and in the spare layer.
+    pub fn voxel(&self, position: [f64; 3]) -> Option<usize> {
+        let mut index = [0; 3];
+        for c in 0..3 {
+            let at = (position[c] / self.spacing_world + (self.size[c] - 1) as f64 / 2.0).round();
+            if !(at >= 1.0 && at <= self.size[c] as f64 - 2.0) {
+                return None;
+            }
+            index[c] = at as usize;
+        }
+        Some((index[2] * self.size[1] + index[1]) * self.size[0] + index[0])
+    }
+
     /// Whether a voxel belongs to the spare outer layer.
     pub fn is_spare(&self, voxel: usize) -> bool {
         let [nx, ny, nz] = self.size;
@@ -156,6 +169,7 @@ mod tests {
                 let [x_px, y_px, _] = camera.project(&[x, y, z, 0.0]);
                 assert!((x_px.fract() - 0.5).abs() < 1e-9 && (y_px.fract() - 0.5).abs() < 1e-9);
                 assert_eq!(grid.pixel[v][voxel], y_px as u32 * 64 + x_px as u32);
+                assert_eq!(grid.voxel([x, y, z]), Some(voxel));
             }
         }
     }

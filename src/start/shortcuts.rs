@@ -62,7 +62,7 @@ pub fn take_shortcuts(grid: &Grid, tree: &Tree, graph: &Graph, twice: &mut [bool
             }
             shortest.search(&neighbours, price, prices, &[graph.voxels[source as usize]], limit);
             let best = (0..graph.voxels.len())
-                .map(|v| (saved[v] - shortest.distance[graph.voxels[v] as usize], v))
+                .map(|v| (saved[v] - shortest.distance(graph.voxels[v]), v))
                 .filter(|found| found.0 > LEAST_SAVING)
                 .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
             let Some((_, end)) = best else { continue };

@@ -7,29 +7,37 @@ pub const NO_PARENT: u32 = u32::MAX;
 /// Working memory and result of one search; reused from search to search, so that a search costs what it reaches.
 #[derive(Debug)]
 pub struct Shortest {
-    /// Cost of the cheapest path from a source; infinite where not reached.
-    pub distance: Vec<f32>,
     /// The voxel before this one on that path, or [`NO_PARENT`]; only where reached.
     pub parent: Vec<u32>,
     /// Reached voxels, each after its parent.
     pub order: Vec<u32>,
     buckets: Vec<Vec<u32>>,
     settled: Vec<bool>,
-    /// Price of a step on a voxel; NaN where not asked for yet.
-    price: Vec<f32>,
+    /// What a step looks at, side by side.
+    cells: Vec<Cell>,
     priced: Vec<u32>,
 }
+
+/// A voxel in a search.
+#[derive(Debug, Clone, Copy)]
+struct Cell {
+    /// Cost of the cheapest path from a source; infinite where not reached.
+    distance: f32,
+    /// Price of a step on the voxel; NaN where not asked for yet.
+    price: f32,
+}
+
+const UNTOUCHED: Cell = Cell { distance: f32::INFINITY, price: f32::NAN };
 
 impl Shortest {
     /// For grids of `voxels` voxels.
     pub fn new(voxels: usize) -> Shortest {
         Shortest {
-            distance: vec![f32::INFINITY; voxels],
             parent: vec![NO_PARENT; voxels],
             order: Vec::new(),
             buckets: Vec::new(),
             settled: vec![false; voxels],
-            price: vec![f32::NAN; voxels],
+            cells: vec![UNTOUCHED; voxels],
             priced: Vec::new(),
         }
     }
@@ -47,7 +55,7 @@ impl Shortest {
     ) {
         for &voxel in &self.priced {
             let v = voxel as usize;
-            (self.price[v], self.distance[v], self.settled[v]) = (f32::NAN, f32::INFINITY, false);
+            (self.cells[v], self.settled[v]) = (UNTOUCHED, false);
         }
         self.priced.clear();
         self.order.clear();
@@ -59,10 +67,9 @@ impl Shortest {
         let per_cost = 1.0 / prices[0];
         for &source in sources {
             let s = source as usize;
-            if self.price[s].is_nan() {
-                self.price[s] = price_of(s);
+            if self.cells[s].price.is_nan() {
+                self.cells[s] = Cell { distance: 0.0, price: price_of(s) };
                 self.priced.push(source);
-                self.distance[s] = 0.0;
                 self.parent[s] = NO_PARENT;
                 self.buckets[0].push(source);
             }
@@ -79,19 +86,18 @@ impl Shortest {
                 }
                 self.settled[v] = true;
                 self.order.push(voxel);
-                let (here, half_price) = (self.distance[v], 0.5 * self.price[v]);
+                let (here, half_price) = (self.cells[v].distance, 0.5 * self.cells[v].price);
                 for &(offset, length) in neighbours {
                     let w = v.wrapping_add_signed(offset);
-                    if self.settled[w] {
-                        continue;
-                    }
-                    if self.price[w].is_nan() {
-                        self.price[w] = price_of(w);
+                    let cell = &mut self.cells[w];
+                    if cell.price.is_nan() {
+                        cell.price = price_of(w);
                         self.priced.push(w as u32);
                     }
-                    let there = here + length * (half_price + 0.5 * self.price[w]);
-                    if there < self.distance[w] && there <= limit {
-                        self.distance[w] = there;
+                    // Settled voxels are nearer.
+                    let there = here + length * (half_price + 0.5 * cell.price);
+                    if there < cell.distance && there <= limit {
+                        cell.distance = there;
                         self.parent[w] = voxel;
                         self.buckets[(there * per_cost) as usize % ring].push(w as u32);
                         waiting += 1;
@@ -100,6 +106,11 @@ impl Shortest {
             }
             turn += 1;
         }
+    }
+
+    /// Cost of the cheapest path from a source to `voxel`; infinite where not reached.
+    pub fn distance(&self, voxel: u32) -> f32 {
+        self.cells[voxel as usize].distance
     }
 
     /// The cheapest path that ends in `voxel`, from there back to its source.
@@ -140,17 +151,17 @@ mod tests {
                     .iter()
                     .map(|&(o, l)| {
                         let w = v.wrapping_add_signed(o);
-                        shortest.distance[w] + l * 0.5 * (cost[v] + cost[w])
+                        shortest.distance(w as u32) + l * 0.5 * (cost[v] + cost[w])
                     })
                     .filter(|d| d.is_finite())
                     .fold(f32::INFINITY, f32::min);
-                let found = shortest.distance[v];
+                let found = shortest.distance(v as u32);
                 assert!(
                     (best - found).abs() < 1e-4 || (found.is_infinite() && best > limit * 0.999),
                     "{v}: {found} against {best}"
                 );
             }
-            let reached = shortest.distance.iter().filter(|d| d.is_finite()).count();
+            let reached = (0..cost.len() as u32).filter(|&v| shortest.distance(v).is_finite()).count();
             assert_eq!(reached, shortest.order.len());
         }
     }

@@ -373,7 +373,7 @@ impl Growth<'_> {
             }
             let p = parent as usize;
             gains[v] = gains[p] + gain * self.newly_met(parent, voxel) as f32;
-            let net = gains[v] - shortest.distance[v];
+            let net = gains[v] - shortest.distance(voxel);
             branch[v] = if shortest.parent[p] == NO_PARENT {
                 ends.push((net, voxel));
                 (ends.len() - 1) as u32
@@ -393,7 +393,7 @@ impl Growth<'_> {
             if added > 0 {
                 // What it earns now that others have been added.
                 let met: u32 = path.windows(2).map(|step| self.newly_met(step[1], step[0])).sum();
-                let net = gain * met as f32 - shortest.distance[end as usize];
+                let net = gain * met as f32 - shortest.distance(end);
                 if net < 0.9 * promised || net <= least_net {
                     continue;
                 }

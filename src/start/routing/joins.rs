@@ -40,7 +40,8 @@ impl Prices {
                 })
                 .collect();
             for &voxel in voxels {
-                sheet[pixel[voxel as usize] as usize] = 0.0;
+                let p = pixel[voxel as usize] as usize;
+                sheet[p] = sheet[p].min(options.shown_price);
             }
             for (price, &p) in of.iter_mut().zip(pixel) {
                 *price += if p == OFF_PICTURE { f32::INFINITY } else { sheet[p as usize] };
@@ -51,6 +52,11 @@ impl Prices {
         }
         let most = of.iter().copied().filter(|price| price.is_finite()).fold(1.0, f32::max);
         Prices { of, most }
+    }
+
+    /// Price of a voxel.
+    pub fn at(&self, voxel: u32) -> f32 {
+        self.of[voxel as usize]
     }
 
     /// What a walk costs.
@@ -112,7 +118,7 @@ fn all_ways(grid: &Grid, odd: &[u32], prices: &Prices) -> Vec<Vec<Way>> {
                 .order
                 .iter()
                 .filter(|&&voxel| voxel != source)
-                .filter_map(|voxel| index.get(voxel).map(|&to| (shortest.distance[*voxel as usize], to)))
+                .filter_map(|voxel| index.get(voxel).map(|&to| (shortest.distance(*voxel), to)))
                 .collect();
             if found.len() < wanted && shortest.order.len() > reached {
                 reached = shortest.order.len();

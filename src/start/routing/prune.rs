@@ -59,6 +59,28 @@ impl<'a> Cover<'a> {
         self.each_line(voxel, |view, i| self.times[view][i] > 1)
     }
 
+    /// For each view whether a place of the walk is the nearest to some line pixel that it meets; of equally near ones the
+    /// first.
+    pub fn nearest(&self, walk: &[u32]) -> Vec<Vec<bool>> {
+        let mut best: Vec<Vec<(usize, usize)>> =
+            self.times.iter().map(|times| vec![(usize::MAX, usize::MAX); times.len()]).collect();
+        for (place, &voxel) in walk.iter().enumerate() {
+            self.each_line(voxel, |view, i| {
+                let width = self.tree.planes[view].width;
+                let p = self.grid.pixel[view][voxel as usize] as usize;
+                let apart = (p % width).abs_diff(i % width).pow(2) + (p / width).abs_diff(i / width).pow(2);
+                best[view][i] = best[view][i].min((apart, place));
+                true
+            });
+        }
+        let holds = |best: &Vec<(usize, usize)>| {
+            let mut holds = vec![false; walk.len()];
+            best.iter().filter(|best| best.1 != usize::MAX).for_each(|best| holds[best.1] = true);
+            holds
+        };
+        best.iter().map(holds).collect()
+    }
+
     /// Calls `visit` with the view and pixel of every line pixel that a voxel meets, until it says no; whether it never did.
     fn each_line(&self, voxel: u32, mut visit: impl FnMut(usize, usize) -> bool) -> bool {
         for (view, (plane, pixel)) in self.tree.planes.iter().zip(&self.grid.pixel).enumerate() {
