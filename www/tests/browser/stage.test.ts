@@ -84,21 +84,21 @@ it("shows no copper where there is no wire", async () => {
   await page.context().close();
 });
 
-describe.each(["worker", "page"] as const)("in a %s", (where) => {
-  it("marks places, and takes the marks away", async () => {
-    const { page } = await lender(where);
-    await shown(page);
-    const mark = (places: readonly (readonly number[])[] | null) =>
-      page.locator("wire-stage").evaluate((element, places) => (element as unknown as { mark(places: unknown): void }).mark(places), places);
-    const marks = async (): Promise<number> => (await colours(page)).marks;
-    expect(await marks()).toBe(0);
-    await mark([[0, 0, 0], [0.3, 0.3, 0.3]]);
-    await expect.poll(marks).toBeGreaterThan(0.00005);
-    await mark(null);
-    await expect.poll(marks).toBe(0);
-    await page.context().close();
-  });
+it("marks places, and takes the marks away", async () => {
+  const { page } = await visit(browser, site.url, { reducedMotion: "reduce" });
+  await shown(page);
+  const mark = (places: readonly (readonly number[])[] | null) =>
+    page.locator("wire-stage").evaluate((element, places) => (element as unknown as { mark(places: unknown): void }).mark(places), places);
+  const marks = async (): Promise<number> => (await colours(page)).marks;
+  expect(await marks()).toBe(0);
+  await mark([[0, 0, 0], [0.3, 0.3, 0.3]]);
+  await expect.poll(marks).toBeGreaterThan(0.00005);
+  await mark(null);
+  await expect.poll(marks).toBe(0);
+  await page.context().close();
+});
 
+describe.each(["worker", "page"] as const)("in a %s", (where) => {
   it("takes a picture with the wire in it, and survives the loss of its context", async () => {
     const { page, tell } = await lender(where);
     await shown(page);

@@ -94,6 +94,10 @@ export class ResultPanel extends Part {
         text-wrap: balance;
         white-space: normal;
       }
+      /* Two lines in most columns, and nothing below moves when they come. */
+      .tight {
+        min-height: 2lh;
+      }
       .fault button {
         min-height: 24px;
         padding: 0;
@@ -198,7 +202,7 @@ export class ResultPanel extends Part {
       const press = (): void => void (this.marked = this.marked === fault ? null : fault);
       return html`<div class="wide">
         <dt>${FAULTS[fault]}</dt>
-        <dd class="fault">${places ? html`<button title="Mark on the stage" aria-pressed=${String(this.marked === fault)} @click=${press}>${words}</button>` : words}</dd>
+        <dd class="fault ${fault}">${places ? html`<button title="Mark on the stage" aria-pressed=${String(this.marked === fault)} @click=${press}>${words}</button>` : words}</dd>
       </div>`;
     });
   }
