@@ -53,6 +53,20 @@ impl Shortest {
         sources: &[u32],
         limit: f32,
     ) {
+        self.search_until(neighbours, price_of, prices, sources, limit, |_| false);
+    }
+
+    /// [`Shortest::search`] that ends with the first voxel of which `enough` says so: it is told each voxel whose
+    /// cheapest path is known, nearly in the order of their distances.
+    pub fn search_until(
+        &mut self,
+        neighbours: &[(isize, f32)],
+        price_of: impl Fn(usize) -> f32,
+        prices: [f32; 2],
+        sources: &[u32],
+        limit: f32,
+        mut enough: impl FnMut(u32) -> bool,
+    ) {
         for &voxel in &self.priced {
             let v = voxel as usize;
             (self.cells[v], self.settled[v]) = (UNTOUCHED, false);
@@ -86,6 +100,10 @@ impl Shortest {
                 }
                 self.settled[v] = true;
                 self.order.push(voxel);
+                if enough(voxel) {
+                    self.buckets.iter_mut().for_each(Vec::clear);
+                    return;
+                }
                 let (here, half_price) = (self.cells[v].distance, 0.5 * self.cells[v].price);
                 for &(offset, length) in neighbours {
                     let w = v.wrapping_add_signed(offset);

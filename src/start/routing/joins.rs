@@ -9,9 +9,7 @@ use super::matching::cheapest_pairs;
 use std::collections::HashMap;
 
 /// Other odd places each search looks for: the one a place is paired with is nearly always among the nearest few.
-const NEAREST: usize = 24;
-/// Where searches begin to look, voxels; from there on twice as far each time.
-const FIRST_REACH: f32 = 12.0;
+const NEAREST: usize = 10;
 /// Odd places that are paired exactly; where there are more, the nearest two are paired until this many are left.
 const MOST_EXACT: usize = 400;
 /// Parts of a voxel's price that matching can tell apart.
@@ -66,9 +64,16 @@ impl Prices {
         walk.windows(2).map(step).sum()
     }
 
-    /// Searches from `source` as far as `limit`.
-    pub fn search(&self, shortest: &mut Shortest, neighbours: &[(isize, f32)], source: u32, limit: f32) {
-        shortest.search(neighbours, |voxel| self.of[voxel], [1.0, self.most], &[source], limit);
+    /// Searches from `source` up to cost `limit` or a voxel of which `enough` says so.
+    pub fn search(
+        &self,
+        shortest: &mut Shortest,
+        neighbours: &[(isize, f32)],
+        source: u32,
+        limit: f32,
+        enough: impl FnMut(u32) -> bool,
+    ) {
+        shortest.search_until(neighbours, |voxel| self.of[voxel], [1.0, self.most], &[source], limit, enough);
     }
 }
 
@@ -95,7 +100,7 @@ pub fn joins(grid: &Grid, edges: &[[u32; 2]], prices: &Prices) -> Vec<[u32; 2]> 
             Some(way) => way.voxels.clone(),
             None => {
                 let mut shortest = Shortest::new(grid.voxels());
-                prices.search(&mut shortest, &grid.neighbours(), odd[a], f32::MAX);
+                prices.search(&mut shortest, &grid.neighbours(), odd[a], f32::MAX, |voxel| voxel == odd[b]);
                 shortest.path_back(odd[b]).collect()
             }
         };
@@ -104,32 +109,21 @@ pub fn joins(grid: &Grid, edges: &[[u32; 2]], prices: &Prices) -> Vec<[u32; 2]> 
     steps
 }
 
-/// From each odd place the cheapest ways to the nearest others, nearest first.
+/// From each odd place the cheapest ways to the nearest others.
 fn all_ways(grid: &Grid, odd: &[u32], prices: &Prices) -> Vec<Vec<Way>> {
     let index: HashMap<u32, usize> = odd.iter().copied().zip(0..).collect();
     let neighbours = grid.neighbours();
     let wanted = NEAREST.min(odd.len().saturating_sub(1));
     let ways = |shortest: &mut Shortest, &source: &u32| {
-        let mut reach = FIRST_REACH;
-        let mut reached = 0;
-        loop {
-            prices.search(shortest, &neighbours, source, reach);
-            let mut found: Vec<(f32, usize)> = shortest
-                .order
-                .iter()
-                .filter(|&&voxel| voxel != source)
-                .filter_map(|voxel| index.get(voxel).map(|&to| (shortest.distance(*voxel), to)))
-                .collect();
-            if found.len() < wanted && shortest.order.len() > reached {
-                reached = shortest.order.len();
-                reach *= 2.0;
-                continue;
-            }
-            found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            found.truncate(NEAREST);
-            let way = |(cost, to): (f32, usize)| Way { to, cost, voxels: shortest.path_back(odd[to]).collect() };
-            return found.into_iter().map(way).collect();
-        }
+        let mut found = Vec::with_capacity(wanted);
+        prices.search(shortest, &neighbours, source, f32::MAX, |voxel| {
+            found.extend(index.get(&voxel).filter(|_| voxel != source));
+            found.len() >= wanted
+        });
+        found
+            .into_iter()
+            .map(|to| Way { to, cost: shortest.distance(odd[to]), voxels: shortest.path_back(odd[to]).collect() })
+            .collect::<Vec<_>>()
     };
     each(odd, || Shortest::new(grid.voxels()), ways)
 }

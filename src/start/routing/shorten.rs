@@ -35,8 +35,12 @@ pub fn shortened(grid: &Grid, mut walk: Vec<u32>, mut cover: Cover, prices: &Pri
             let mut turned = 1;
             if last >= tried + STRIDE && length(grid, stretch) - apart > LEAST_SAVING {
                 let now = prices.along(stretch, |a, b| distance(grid, a, b));
-                prices.search(&mut shortest, &neighbours, walk[0], now - LEAST_SAVING);
-                if shortest.distance(walk[last]).is_finite() {
+                let mut found = false;
+                prices.search(&mut shortest, &neighbours, walk[0], now - LEAST_SAVING, |voxel| {
+                    found = voxel == walk[last];
+                    found
+                });
+                if found {
                     let mut way: Vec<u32> = shortest.path_back(walk[last]).collect();
                     way.reverse();
                     way[1..way.len() - 1].iter().for_each(|&voxel| cover.add(voxel));
