@@ -306,7 +306,7 @@ fn a_mesh_is_covered_with_everything_beside_it() {
     refused(&strange, "give a mesh or sphere");
     // A flag that takes one word only is no choice, and not offered.
     let help = succeeds(&wire4d(&["fill", "--help"]));
-    assert!(help.contains("--flow <smooth|along") && !help.contains("--bend"), "{help}");
+    assert!(help.contains("--flow <smooth|along") && !help.contains("--bend <"), "{help}");
     refused(&fill("teapot", "bad", &[]), "give a mesh or sphere, torus, knot, vase, creature");
     refused(&fill("torus", "bad", &["--style", "plaid"]), "petals");
     refused(&fill("torus", "bad", &["--style", text(&at("nowhere.png"))]), "nowhere.png");

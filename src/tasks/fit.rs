@@ -52,6 +52,12 @@ const JERK_WIDTH: f64 = 20.0;
 const BENDING_FROM: f64 = 0.4;
 const BENDING_PX: f64 = 0.07;
 
+/// Whether the first wire is only near its place. Others lie where they belong, as wide as they should be.
+fn is_laid_roughly(settings: &Settings) -> bool {
+    use settings::Start;
+    matches!(settings.start, Start::Circuit | Start::Tree | Start::Hull | Start::Ball)
+}
+
 /// Whatever makes a wire a wire.
 fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
     let pixels = 256.0 * 256.0;
@@ -68,16 +74,16 @@ fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
     recipe.position_rate_px = Schedule::Cosine { from: settings.position_rate, to: 0.025 * settings.position_rate };
     recipe.width_rate_px = Schedule::Cosine { from: settings.width_rate, to: 0.07 * settings.width_rate };
     recipe.jerk_position = Schedule::Constant(0.0);
-    recipe.jerk_width = Schedule::Constant(JERK_WIDTH * 128.0 * 128.0 / pixels);
-    recipe.length =
-        Schedule::Piecewise([0.0, 1.0].into_iter().zip(LENGTH).map(|(t, w)| [t, w * 128.0 / pixels]).collect());
+    if is_laid_roughly(settings) {
+        recipe.jerk_width = Schedule::Constant(JERK_WIDTH * 128.0 * 128.0 / pixels);
+        recipe.length =
+            Schedule::Piecewise([0.0, 1.0].into_iter().zip(LENGTH).map(|(t, w)| [t, w * 128.0 / pixels]).collect());
+    }
     for stage in &mut recipe.stages {
         (stage.raster, stage.restarts) = (RasterKind::Exact, Vec::new());
         stage.samples_per_span = settings.samples;
     }
-    let laid_roughly =
-        matches!(settings.start, settings::Start::Circuit | settings::Start::Tree | settings::Start::Hull);
-    if settings.control_points == 0 && laid_roughly {
+    if settings.control_points == 0 && is_laid_roughly(settings) {
         recipe.topology.extend(RESPACED.map(|share| {
             let wider = if share < WIDE_UNTIL { WIDE } else { 1.0 };
             let edit = TopologyEdit::Respace(Respace { spacing_px: wider * settings.spacing });

@@ -106,7 +106,8 @@ describe("as a file", () => {
     const { bytes } = await save(/^wire\.json/);
     const wire = JSON.parse(bytes.toString()) as { format: string; version: number; knots: number[]; control_points: number[][]; views: { name: string }[] };
     expect([wire.format, wire.version]).toEqual(["wire4d", 1]);
-    expect(wire.knots.length).toBe(wire.control_points.length + 4);
+    // Closed: the first three control points follow again.
+    expect(wire.knots.length).toBe(wire.control_points.length + 7);
     expect(wire.views.map(({ name }) => name)).toEqual(["front", "side"]);
     const other = await visit(browser, site.url);
     await padsReady(other.page);
@@ -146,7 +147,7 @@ describe("as a link", () => {
     await expect.poll(() => page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
     await page.locator("settings-panel summary").first().click();
     await expect.poll(() => page.locator("[data-setting=seed] #control").inputValue()).toBe("7");
-    await expect.poll(() => page.locator("[data-setting=iterations] #control").inputValue()).toBe("220");
+    await expect.poll(() => page.locator("[data-setting=iterations] #control").inputValue()).toBe("200");
     // What a person changes shows in the address.
     await choose(page, "bend", "free");
     await expect.poll(() => page.evaluate(() => location.hash)).toBe("#v=1&preset=fast&seed=7&bend=free");
