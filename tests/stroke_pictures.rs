@@ -12,7 +12,7 @@ fn every_picture_reads_from_the_front_and_stays_within_its_solid() {
     let mut pictures: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     pictures.sort();
     assert_eq!(pictures.len(), 10);
-    let pairs = [("backend", "cpu"), ("preset", "fast"), ("iterations", "40"), ("size", "128"), ("side-views", "2")];
+    let pairs = [("backend", "cpu"), ("preset", "fast"), ("iterations", "60"), ("size", "128"), ("side-views", "2")];
     let settings = Task::Stroke.settings(pairs).unwrap();
     let mut wrong = Vec::new();
     for path in pictures {
