@@ -25,7 +25,7 @@ it("names the processor where there is no WebGPU, and says why", async () => {
   await choose(page, "preset", "fast");
   await runButton(page).click();
   await phase(page, "running");
-  await expect.poll(() => page.locator("run-panel p").textContent(), { timeout: 60_000 }).toMatch(/Processor\s+Step [\d,]+ of 220\s+[\d.,]+ steps a second/);
+  await expect.poll(() => page.locator("run-panel p").textContent(), { timeout: 60_000 }).toMatch(/Processor\s+Step [\d,]+ of 200\s+[\d.,]+ steps a second/);
   await idle(page);
   expect(await device(page).getAttribute("data-backend")).toBe("cpu");
   expect(await notice(page).count()).toBe(0);

@@ -102,19 +102,19 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await runButton(page).click();
   await phase(page, "running");
   await idle(page);
-  expect(await looked()).toBe(220);
+  expect(await looked()).toBe(200);
   const full = await page.locator("[data-view=front]").textContent();
   const marks = await page.locator("time-line .marks li").allTextContents();
-  expect(marks.some((mark) => /step 220/i.test(mark))).toBe(true);
+  expect(marks.some((mark) => /step 200/i.test(mark))).toBe(true);
   // From the midst of the finished run, with the same settings: bit for bit the same wire, so the same match.
   await range().fill("80");
   const from = await looked();
-  expect(from).toBeLessThan(220);
+  expect(from).toBeLessThan(200);
   await button("Go on from here").click();
   await phase(page, "running");
   await expect.poll(step).toBeGreaterThanOrEqual(from);
   await idle(page);
-  expect(await looked()).toBe(220);
+  expect(await looked()).toBe(200);
   expect(await page.locator("[data-view=front]").textContent()).toBe(full);
 });
 
