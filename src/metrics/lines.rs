@@ -60,9 +60,9 @@ fn is_border(ring: &[bool; 8], second: bool) -> bool {
     let begins = (0..8).filter(|&i| !ring[i] && ring[(i + 1) % 8]).count();
     let [north, east, south, west] = [0, 2, 4, 6].map(|i| ring[i]);
     let open = if second {
-        !(north && east && west) && !(north && south && west)
+        !(north && west && (east || south))
     } else {
-        !(north && east && south) && !(east && south && west)
+        !(east && south && (north || west))
     };
     (2..=6).contains(&inked) && begins == 1 && open
 }
