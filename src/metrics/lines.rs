@@ -59,11 +59,7 @@ fn is_border(ring: &[bool; 8], second: bool) -> bool {
     let inked = ring.iter().filter(|&&ink| ink).count();
     let begins = (0..8).filter(|&i| !ring[i] && ring[(i + 1) % 8]).count();
     let [north, east, south, west] = [0, 2, 4, 6].map(|i| ring[i]);
-    let open = if second {
-        !(north && west && (east || south))
-    } else {
-        !(east && south && (north || west))
-    };
+    let open = if second { !(north && west && (east || south)) } else { !(east && south && (north || west)) };
     (2..=6).contains(&inked) && begins == 1 && open
 }
 
