@@ -76,14 +76,14 @@ impl Neighbours {
                 let squared = (0..3).map(|c| (place[c] - other[c]).powi(2)).sum::<f32>();
                 let least = least_distance(clearance, place[3], other[3]);
                 if apart >= one_strand * least && squared < (least + slack_world).powi(2) {
-                    found.push((squared, j));
+                    keep_nearest(&mut found, (squared, j));
                 }
             });
-            found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            found.truncate(MOST_NEIGHBOURS);
             let first = nearest.others.len();
-            nearest.others.extend(found.iter().map(|&(_, j)| j));
-            nearest.others[first..].sort_unstable();
+            for &(_, j) in &found {
+                let place = first + nearest.others[first..].partition_point(|&other| other < j);
+                nearest.others.insert(place, j);
+            }
             nearest.starts.push(nearest.others.len() as u32);
         }
         nearest.mutual()
@@ -98,6 +98,15 @@ impl Neighbours {
             mutual.starts.push(mutual.others.len() as u32);
         }
         mutual
+    }
+}
+
+/// Adds one to a short list, nearest first, that drops who is one too many. (Sorting would take more code than the rest.)
+fn keep_nearest(found: &mut Vec<(f32, u32)>, (squared, j): (f32, u32)) {
+    let place = found.partition_point(|&(other, k)| (other, k) < (squared, j));
+    if place < MOST_NEIGHBOURS {
+        found.insert(place, (squared, j));
+        found.truncate(MOST_NEIGHBOURS);
     }
 }
 

@@ -130,7 +130,7 @@ pub fn pruned(grid: &Grid, tree: &Tree, slack_px: f32) -> Vec<[u32; 2]> {
             }
             branches.push([&[end], &branch[..]].concat());
         }
-        branches.sort_by_key(|branch| (branch.len(), branch[0]));
+        branches.sort_unstable_by_key(|branch| (branch.len(), branch[0]));
         let before = kept.iter().filter(|kept| **kept).count();
         let mut left = before;
         for branch in branches {

@@ -8,7 +8,7 @@ import { DIST, launch, ROOT, serveDist, settled, visit, type Sent } from "../bro
 import type { Account, Row } from "./budget";
 
 export const FIRST_VIEW_KB = 200;
-export const WASM_KB = 700;
+export const WASM_KB = 740;
 export const STAGE_KB = 40;
 
 /** Every file but wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
