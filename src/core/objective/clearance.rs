@@ -110,28 +110,48 @@ fn keep_nearest(found: &mut Vec<(f32, u32)>, (squared, j): (f32, u32)) {
     }
 }
 
-/// Points by cubic cells, sorted by cell.
+/// Points by cubic cells, in lists by a hash of the cell (Teschner et al. 2003).
 struct Grid {
     side: f32,
-    cells: Vec<([i32; 3], u32)>,
+    cells: Vec<[i32; 3]>,
+    /// The first point of each list, and the one after each point.
+    first: Vec<u32>,
+    next: Vec<u32>,
 }
+
+/// No more points in a list.
+const END: u32 = u32::MAX;
 
 impl Grid {
     fn new(places: &[[f32; 4]], side: f32) -> Grid {
-        let mut grid = Grid { side, cells: Vec::with_capacity(places.len()) };
-        grid.cells.extend((0..).zip(places).map(|(i, place)| (cell(place, side), i)));
-        grid.cells.sort_unstable();
+        let lists = places.len().next_power_of_two();
+        let (first, next) = (vec![END; lists], vec![END; places.len()]);
+        let mut grid = Grid { side, cells: Vec::with_capacity(places.len()), first, next };
+        for (i, place) in places.iter().enumerate() {
+            let cell = cell(place, side);
+            let list = grid.list(cell);
+            grid.cells.push(cell);
+            grid.next[i] = std::mem::replace(&mut grid.first[list], i as u32);
+        }
         grid
+    }
+
+    fn list(&self, [x, y, z]: [i32; 3]) -> usize {
+        let mixed = x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
+        mixed as u32 as usize & (self.first.len() - 1)
     }
 
     /// Calls `visit` with every point in the cells round `place`.
     fn each_near(&self, place: &[f32; 4], mut visit: impl FnMut(u32)) {
-        let [x, y, z] = cell(place, self.side);
-        for dx in -1..=1 {
-            for dy in -1..=1 {
-                let from = self.cells.partition_point(|(cell, _)| *cell < [x + dx, y + dy, z - 1]);
-                let near = self.cells[from..].iter().take_while(|(cell, _)| *cell <= [x + dx, y + dy, z + 1]);
-                near.for_each(|&(_, i)| visit(i));
+        let middle = cell(place, self.side);
+        for near in 0..27 {
+            let cell = [middle[0] + near / 9 - 1, middle[1] + near / 3 % 3 - 1, middle[2] + near % 3 - 1];
+            let mut point = self.first[self.list(cell)];
+            while point != END {
+                if self.cells[point as usize] == cell {
+                    visit(point);
+                }
+                point = self.next[point as usize];
             }
         }
     }

@@ -79,7 +79,7 @@ impl Smooth {
             return Ok(());
         }
         let remedy = "give lengths and weights from 0 up, a cusp radius above 0, looks every 1 or more, 1 to 16 nodes";
-        Err(Error::setting("smooth", format!("{self:?}"), remedy))
+        Err(Error::setting("smooth", "some of its numbers are out of range", remedy))
     }
 
     /// The numbers at a progress of the run, for a wire of a mean speed; `px` is a pixel in world units.

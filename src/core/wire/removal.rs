@@ -62,6 +62,7 @@ impl Thinning {
 
     /// What it costs to remove the knot in the middle of control points `first..first + 3`, `None` where there is none that
     /// may go. Its neighbours to the left and right each say what the two new points should be; they differ by the error.
+    #[inline(never)]
     fn loss(&self, first: usize) -> Option<Loss> {
         let count = self.points.len();
         // Control points 0 and last of an open wire are its ends. Those round the seam of a closed one stay.
@@ -98,10 +99,12 @@ impl Thinning {
 
     fn remove(&mut self, Loss { first, become_two, error }: Loss) {
         let moved = error + self.moved_near(first);
-        self.points.splice(first..first + 3, become_two);
-        self.moved.splice(first..first + 3, [moved; 2]);
+        self.points.remove(first + 2);
+        self.points[first..first + 2].copy_from_slice(&become_two);
+        self.moved.remove(first + 2);
+        self.moved[first..first + 2].fill(moved);
         self.knots.remove(first + 3);
-        self.losses.splice(first..first + 3, [None; 2]);
+        self.losses.remove(first + 2);
         for near in first.saturating_sub(6)..self.points.len().min(first + 6) {
             self.losses[near] = self.loss(near);
         }
