@@ -56,6 +56,8 @@ impl Schedule {
         match self {
             Schedule::Constant(value) => Schedule::Constant(value * factor),
             Schedule::Cosine { from, to } => Schedule::Cosine { from: from * factor, to: to * factor },
+            // No factor leads from nothing to nothing.
+            Schedule::Geometric { .. } if factor == 0.0 => Schedule::Constant(0.0),
             Schedule::Geometric { from, to, until } => {
                 Schedule::Geometric { from: from * factor, to: to * factor, until: *until }
             }
@@ -110,6 +112,7 @@ mod tests {
         for schedule in [cosine, geometric, piecewise] {
             assert!(near(schedule.scaled(2.0).at(0.3), 2.0 * schedule.at(0.3)));
             assert!(schedule.check("x").is_ok());
+            assert!(schedule.scaled(0.0).check("x").is_ok() && schedule.scaled(0.0).at(0.3) == 0.0);
         }
     }
 
