@@ -267,9 +267,11 @@ it("does it all by keys", async () => {
   await page.keyboard.press("ArrowRight");
   await expect.poll(points).toBe("50 control points");
   await tabTo(/low/);
-  for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowRight");
   const widths = () => page.locator("stroke-choices two-ended input").evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
-  await expect.poll(widths).toEqual(["3", "20"]);
+  for (const low of ["1.5", "2", "2.5", "3"]) {
+    await page.keyboard.press("ArrowRight");
+    await expect.poll(widths).toEqual([low, "20"]);
+  }
   await tabTo(/constant/, "Shift+Tab");
   await page.keyboard.press("Space");
   await expect.poll(async () => (await widths()).length).toBe(1);
