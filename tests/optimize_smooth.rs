@@ -8,7 +8,7 @@ use wire4d::metrics::elegance;
 use wire4d::objective::{Clearance, Elastic, Neighbours};
 use wire4d::optimize::{
     CpuEngine, EventKind, Moment, Problem, RasterKind, Recipe, Respace, Scene, SceneView, Session, Smooth, Stage, Step,
-    TopologyEdit, TopologyEvent, term_count,
+    Thin, TopologyEdit, TopologyEvent, term_count,
 };
 use wire4d::rng::Rng;
 use wire4d::view::{Target, View};
@@ -128,6 +128,33 @@ fn points_are_laid_anew_and_the_last_wire_is_the_result() {
         .zip(last.control_points())
         .map(|(a, b)| (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max));
     assert!(gap.fold(0.0, f64::max) < 0.05);
+}
+
+#[test]
+fn spare_points_go_and_the_curve_stays() {
+    let thinned = |tolerance_px: f64| {
+        let mut problem = problem(perturbed(&random_wire(14, 3), 0.1, 8), 80);
+        let edit = TopologyEdit::Thin(Thin { tolerance_px });
+        problem.recipe.topology.push(TopologyEvent { at: Moment::Progress(0.9), edit });
+        let mut session = Session::new(problem).unwrap();
+        session.step(72);
+        let before = session.wire();
+        session.step(1);
+        let event = *session.events().iter().find(|event| event.kind == EventKind::Thin).unwrap();
+        (before, session.wire(), event.count)
+    };
+    let (before, after, gone) = thinned(1.0);
+    assert!(gone > 0 && after.control_points().len() + gone == before.control_points().len());
+    // A pixel of 256 and the step of an iteration.
+    let far = |a: &Wire, b: &Wire| {
+        let (start, end) = a.domain();
+        (0..=500).map(|i| start + (end - start) * f64::from(i) / 500.0).fold(0.0f64, |most, t| {
+            let (a, b) = (a.evaluate(t), b.evaluate(t));
+            most.max((0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt())
+        })
+    };
+    assert!(far(&before, &after) < 0.03, "{}", far(&before, &after));
+    assert_eq!(thinned(0.0).2, 0);
 }
 
 #[test]

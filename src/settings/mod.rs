@@ -495,19 +495,18 @@ impl Settings {
         }
     }
 
+    /// What one picture and one mesh share: there is nothing to agree with.
+    fn one_thing(preset: Preset, smooth: OnOff) -> Settings {
+        Settings { smooth, bend: Bend::None, arrange: OnOff::Off, ..Settings::drawings(preset, OnOff::Off) }
+    }
+
     /// The settings of a preset for one picture.
     pub fn stroke_preset(preset: Preset) -> Settings {
         Settings::picture(preset, preset.smooth())
     }
 
     fn picture(preset: Preset, smooth: OnOff) -> Settings {
-        let several = Settings {
-            smooth,
-            start: Start::Contour,
-            bend: Bend::None,
-            arrange: OnOff::Off,
-            ..Settings::drawings(preset, OnOff::Off)
-        };
+        let several = Settings { start: Start::Contour, ..Settings::one_thing(preset, smooth) };
         // The first wire lies along the lines already: small steps keep it there, but for the ends of lines that must open.
         let (iterations, position_rate) = if smooth == OnOff::On { (400, 0.5) } else { (320, 0.2) };
         let best = Settings {
@@ -532,13 +531,7 @@ impl Settings {
     }
 
     fn mesh(preset: Preset, smooth: OnOff) -> Settings {
-        let several = Settings {
-            smooth,
-            start: Start::Stripes,
-            bend: Bend::None,
-            arrange: OnOff::Off,
-            ..Settings::drawings(preset, OnOff::Off)
-        };
+        let several = Settings { start: Start::Stripes, ..Settings::one_thing(preset, smooth) };
         // Lines lie evenly on the surface already; they are to be bent a little and made thicker and thinner.
         let best = Settings {
             iterations: 300,

@@ -188,6 +188,46 @@ mod tests {
     }
 
     #[test]
+    fn a_wire_that_no_hand_could_bend_is_refused_with_what_would_work() {
+        let refused = |task: Task, pairs: &[(&str, &str)]| match task.settings(pairs.iter().copied()) {
+            Err(Error::Setting { name, remedy, .. }) => (name, remedy),
+            other => panic!("{pairs:?} gave {other:?}"),
+        };
+        let (name, remedy) = refused(Task::Multiview, &[("bend-radius", "20"), ("min-width", "5")]);
+        assert!(name == "bend_radius" && remedy.contains("at most 12.8"), "{name}: {remedy}");
+        let wide = [("min-width", "30"), ("max-width", "40")];
+        let (name, remedy) = refused(Task::Multiview, &wide);
+        assert!(name == "min_width" && remedy.contains("at most 24"), "{name}: {remedy}");
+        assert!(Task::Multiview.settings(wide.into_iter().chain([("smooth", "off")])).is_ok());
+        let (name, remedy) = refused(Task::Fill, &[("min-width", "4"), ("curve-spacing", "0.03")]);
+        assert!(name == "min_width" && remedy.contains("curve_spacing"), "{name}: {remedy}");
+    }
+
+    #[test]
+    fn of_a_constant_width_one_bound_stands_for_both_and_two_must_agree() {
+        let widths = |pairs: &[(&str, &str)]| {
+            let all = pairs.iter().copied().chain([("width", "constant")]).collect::<Vec<_>>();
+            Task::Multiview.settings(all).map(|settings| [settings.min_width, settings.max_width])
+        };
+        assert_eq!(widths(&[("min-width", "3")]), Ok([3.0, 3.0]));
+        assert_eq!(widths(&[("max-width", "1")]), Ok([1.0, 1.0]), "below the usual least");
+        assert_eq!(widths(&[("min-width", "2"), ("max-width", "2")]), Ok([2.0, 2.0]));
+        assert_eq!(widths(&[]), Task::Multiview.settings([]).map(|usual| [usual.min_width, usual.max_width]));
+        let error = widths(&[("min-width", "2"), ("max-width", "3")]).unwrap_err().to_string();
+        assert!(error.starts_with("width: constant, but from 2 to 3"), "{error}");
+    }
+
+    #[test]
+    fn smooth_off_brings_the_numbers_of_before_back_whatever_the_order() {
+        for pairs in [[("smooth", "off"), ("preset", "fast")], [("preset", "fast"), ("smooth", "off")]] {
+            let settings = Task::Multiview.settings(pairs).unwrap();
+            assert_eq!((settings.iterations, settings.spacing, settings.max_width), (220, 3.5, 20.0));
+        }
+        assert_eq!(Task::Multiview.settings([("preset", "paper")]).unwrap().smooth, OnOff::Off);
+        assert_eq!(Task::Multiview.settings([("preset", "paper"), ("smooth", "on")]).unwrap().smooth, OnOff::On);
+    }
+
+    #[test]
     fn a_choice_of_another_task_is_refused_and_the_own_ones_named() {
         let refused = |task: Task, name, value| match task.settings([(name, value)]) {
             Err(Error::Setting { name: named, remedy, .. }) => (named, remedy),
