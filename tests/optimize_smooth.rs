@@ -24,7 +24,7 @@ fn smooth_recipe(iterations: usize) -> Recipe {
     };
     let respace = |share: f64, spacing_px| TopologyEvent {
         at: Moment::Progress(share),
-        edit: TopologyEdit::Respace(Respace { spacing_px }),
+        edit: TopologyEdit::Respace(Respace { spacing_px, hairpin_px: 4.2 }),
     };
     Recipe {
         stages: vec![stage(1, 40), stage(1, 64)],

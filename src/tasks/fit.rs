@@ -6,7 +6,7 @@ use crate::optimize::{
     AdamOptions, Bending, Event, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Respace, Schedule, SecondMoment,
     Session, Smooth, Thin, TopologyEdit, TopologyEvent,
 };
-use crate::settings::{self, Bend, OnOff, Preset, Settings};
+use crate::settings::{self, Bend, OnOff, Preset, Settings, Width};
 
 /// How to fit with these settings.
 pub(super) fn recipe(settings: &Settings) -> Recipe {
@@ -44,10 +44,14 @@ const RESPACED: [f64; 6] = [0.12, 0.25, 0.4, 0.5, 0.62, 0.75];
 /// How much wider, up to this share of the run.
 pub(super) const WIDE: f64 = 1.6;
 const WIDE_UNTIL: f64 = 0.45;
+/// Radius of the bends at which a wire turns back, where it does in a cusp, px of a 256 px picture.
+pub(super) const HAIRPIN_PX: f64 = 4.2;
 /// Weights of the length at the run's start and end, and of the width's jerk, relative to image losses summed over the
 /// pixels of a 256 px picture, lengths in pixels of one.
 const LENGTH: [f64; 2] = [0.1, 0.02];
 const JERK_WIDTH: f64 = 20.0;
+/// How much harder strands of constant width push each other: they cannot get out of each other by thinning.
+const CONSTANT_CLEARANCE: f64 = 3.0;
 /// From which share of the run on drawings bend, and how far an update moves them at first, px of a 256 px picture.
 const BENDING_FROM: f64 = 0.4;
 const BENDING_PX: f64 = 0.07;
@@ -62,10 +66,11 @@ fn is_laid_roughly(settings: &Settings) -> bool {
 fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
     let pixels = 256.0 * 256.0;
     let smooth = Smooth::default();
+    let of_constant_width = if settings.width == Width::Constant { CONSTANT_CLEARANCE } else { 1.0 };
     recipe.smooth = Some(Smooth {
         bending: smooth.bending.scaled(settings.smoothness),
         tightness: smooth.tightness.scaled(settings.tightness),
-        clearance: smooth.clearance.scaled(settings.clearance),
+        clearance: smooth.clearance.scaled(settings.clearance * of_constant_width),
         least_radius_diameters: settings.bend_radius,
         ..smooth
     });
@@ -86,7 +91,7 @@ fn keep_smooth(recipe: &mut Recipe, settings: &Settings) {
     if settings.control_points == 0 && is_laid_roughly(settings) {
         recipe.topology.extend(RESPACED.map(|share| {
             let wider = if share < WIDE_UNTIL { WIDE } else { 1.0 };
-            let edit = TopologyEdit::Respace(Respace { spacing_px: wider * settings.spacing });
+            let edit = TopologyEdit::Respace(Respace { spacing_px: wider * settings.spacing, hairpin_px: HAIRPIN_PX });
             TopologyEvent { at: Moment::Progress(share), edit }
         }));
     }

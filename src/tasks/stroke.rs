@@ -11,7 +11,7 @@
 //! silhouette: inside it a blank pixel costs about as much as an inked one, while ink beside the solid costs the most.
 
 use super::engine::engine;
-use super::fit::{at_once, recipe};
+use super::fit::{HAIRPIN_PX, at_once, recipe};
 use super::run::Placed;
 use super::saved::SavedRun;
 use super::widths::width_bounds;
@@ -22,7 +22,7 @@ use crate::sculpture::render_sampled;
 use crate::settings::{OnOff, Preset, Settings, Shading, Start, Task};
 use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
 use crate::view::{Image, Target, View, ViewSpec};
-use crate::wire::{Form, Wire};
+use crate::wire::{Form, Wire, with_open_hairpins};
 use crate::{Error, Result};
 
 /// What a person gives.
@@ -238,6 +238,7 @@ impl Plan {
                 let mut path = self.lines.walk(&self.solid, settings.min_width.max(THIN_PX) * px);
                 if settings.smooth == OnOff::On {
                     start::jittered(&mut path, JITTER_PX * px, settings.seed);
+                    path.points = with_open_hairpins(&path.points, path.closed, HAIRPIN_PX * px);
                 }
                 let finest = start::length(&path) / MOST_FIRST_POINTS;
                 match settings.control_points {

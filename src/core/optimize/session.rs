@@ -403,7 +403,7 @@ impl Session {
                 (EventKind::Refine, count)
             }
             TopologyEdit::Respace(respace) => {
-                let wire = self.wire().respaced(respace.spacing_px * self.px_256);
+                let wire = self.wire().respaced(respace.spacing_px * self.px_256, respace.hairpin_px * self.px_256);
                 (EventKind::Respace, self.continue_with(wire))
             }
             TopologyEdit::Thin(thin) => {

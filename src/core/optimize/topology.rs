@@ -60,14 +60,19 @@ impl Thin {
 pub struct Respace {
     /// From control point to control point, pixels of a 256 px picture.
     pub spacing_px: f64,
+    /// Radius of the bends that cusps are opened to, likewise; 0 leaves them.
+    pub hairpin_px: f64,
 }
 
 impl Respace {
     fn check(&self) -> Result<()> {
-        if self.spacing_px.is_finite() && self.spacing_px > 0.0 {
+        if !(self.spacing_px.is_finite() && self.spacing_px > 0.0) {
+            return Err(Error::setting("spacing", format!("{} px", self.spacing_px), "give a distance above 0"));
+        }
+        if self.hairpin_px.is_finite() && self.hairpin_px >= 0.0 {
             return Ok(());
         }
-        Err(Error::setting("spacing", format!("{} px", self.spacing_px), "give a distance above 0"))
+        Err(Error::setting("hairpin", format!("{} px", self.hairpin_px), "give a radius from 0 up"))
     }
 }
 

@@ -6,6 +6,7 @@
 mod basis;
 mod bezier;
 mod forms;
+mod hairpins;
 mod insertion;
 mod jerk;
 mod layout;
@@ -16,6 +17,7 @@ mod removal;
 mod respacing;
 mod sampling;
 
+pub use hairpins::with_open_hairpins;
 pub use jerk::Jerk;
 pub use layout::{MAX_CONTROL_POINTS, MAX_COORDINATE, MAX_KNOT, MIN_CONTROL_POINTS, MIN_KNOT_SPACING, Span};
 pub use linear_map::{LinearMap, Real, Row};

@@ -1,6 +1,6 @@
 //! Control points anew, at even steps along the wire.
 
-use super::{Form, MAX_CONTROL_POINTS, Wire};
+use super::{Form, MAX_CONTROL_POINTS, Wire, with_open_hairpins};
 use crate::Result;
 
 /// Pieces of a span between which its arc length is taken for straight.
@@ -12,17 +12,18 @@ const LEAST: usize = 8;
 
 impl Wire {
     /// Nearly the same curve with control points about `spacing_world` apart along it (at least 8) and knots 0, 1, 2, …: the
-    /// new wire meets the old one at its Greville points, which are evenly spaced. Chains and bags stay as they are.
+    /// new wire meets the old one at its Greville points, which are evenly spaced. Where it turns back in a cusp, the new one
+    /// has a bend of `hairpin_world` (0 leaves cusps). Chains and bags stay as they are.
     ///
     /// The interpolation is progressive iterative approximation (Lin, Wang and Dong 2004).
     ///
     /// # Errors
     /// As [`Wire::new`].
-    pub fn respaced(&self, spacing_world: f64) -> Result<Wire> {
+    pub fn respaced(&self, spacing_world: f64, hairpin_world: f64) -> Result<Wire> {
         if self.form != Form::Spline {
             return Ok(self.clone());
         }
-        let track = Track::new(self);
+        let track = Track::new(self, hairpin_world);
         let pieces = track.length() / spacing_world;
         let ends = if self.closed { 0 } else { 3 };
         let count = if pieces.is_finite() { pieces.round() as usize + ends } else { 0 };
@@ -56,13 +57,13 @@ struct Track {
 }
 
 impl Track {
-    fn new(wire: &Wire) -> Track {
-        let mut track = Track { closed: wire.closed, points: Vec::new(), along: vec![0.0] };
-        for span in wire.spans() {
-            track.points.extend((0..PIECES).map(|j| wire.evaluate(span.at(j as f64 / PIECES as f64))));
-        }
-        let (start, end) = wire.domain();
-        track.points.push(wire.evaluate(if wire.closed { start } else { end }));
+    fn new(wire: &Wire, hairpin_world: f64) -> Track {
+        let pieces = wire.spans().flat_map(|span| (0..PIECES).map(move |j| span.at(j as f64 / PIECES as f64)));
+        let end = (!wire.closed).then(|| wire.domain().1);
+        let points: Vec<[f64; 4]> = pieces.chain(end).map(|t| wire.evaluate(t)).collect();
+        let mut points = with_open_hairpins(&points, wire.closed, hairpin_world);
+        points.extend(wire.closed.then(|| points[0]));
+        let mut track = Track { closed: wire.closed, points, along: vec![0.0] };
         let mut total = 0.0;
         for pair in track.points.windows(2) {
             total += (0..3).map(|c| (pair[1][c] - pair[0][c]).powi(2)).sum::<f64>().sqrt();
@@ -104,14 +105,14 @@ mod tests {
     fn the_curve_stays_and_its_points_become_even() {
         for closed in [false, true] {
             let wire = wave(closed, 80);
-            let respaced = wire.respaced(0.05).unwrap();
+            let respaced = wire.respaced(0.05, 0.0).unwrap();
             let length = wire.length(1e-6);
             assert!((respaced.length(1e-6) - length).abs() < 2e-3 * length);
             assert_eq!(respaced.closed(), closed);
             let expected = (length / 0.05).round() as usize + if closed { 0 } else { 3 };
             assert_eq!(respaced.control_points().len(), expected);
             let (start, end) = respaced.domain();
-            let track = Track::new(&wire);
+            let track = Track::new(&wire, 0.0);
             let inner = if closed { 0 } else { 3 };
             let speeds: Vec<f64> = (inner..respaced.spans().count() - inner)
                 .map(|i| {
@@ -134,9 +135,9 @@ mod tests {
     #[test]
     fn wires_without_length_or_of_another_form_are_left_sound() {
         let dot = Wire::closed_uniform(vec![[0.1, 0.2, 0.3, 0.01]; 12]).unwrap();
-        assert!(distance(&dot.respaced(0.05).unwrap().evaluate(1.0), &[0.1, 0.2, 0.3, 0.01]) < 1e-9);
-        assert!(dot.respaced(0.0).is_ok() && dot.respaced(f64::NAN).is_ok());
+        assert!(distance(&dot.respaced(0.05, 0.0).unwrap().evaluate(1.0), &[0.1, 0.2, 0.3, 0.01]) < 1e-9);
+        assert!(dot.respaced(0.0, 0.0).is_ok() && dot.respaced(f64::NAN, f64::NAN).is_ok());
         let chain = Wire::uniform(Form::Chain, false, wave(false, 7).control_points().to_vec()).unwrap();
-        assert_eq!(chain.respaced(0.05).unwrap(), chain);
+        assert_eq!(chain.respaced(0.05, 0.0).unwrap(), chain);
     }
 }
