@@ -6,7 +6,7 @@ use export_support as wires;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use wire4d::Error;
-use wire4d::export::{open_share_code, share_code};
+use wire4d::export::{open_link, open_share_code, share_code};
 use wire4d::sculpture::{Sculpture, strands};
 use wire4d::view::View;
 use wire4d::wire::{Form, Wire};
@@ -111,12 +111,29 @@ fn links_and_spaces_are_understood() {
     for text in
         [format!("  {code}\n"), format!("https://example.org/wire/#{code}"), format!("http://localhost/#wire={code}")]
     {
-        assert_eq!(open_share_code(&text).unwrap(), plain);
+        assert_eq!(open_link(&text).unwrap(), plain);
     }
 }
 
+/// What an e-mail program, a chat and a document made of a link.
+#[test]
+fn links_from_the_field_open() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/field/share-link");
+    let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}.txt")).unwrap();
+    let plain = open_link(&read("good")).unwrap();
+    assert!(plain.wire.control_points().len() > 100);
+    for name in ["angle-brackets", "as-readme-says", "full-stop", "html-mail", "wrapped-by-mail"] {
+        assert_eq!(open_link(&read(name)).unwrap(), plain, "{name}");
+    }
+    let quoted = read("wrapped-by-mail").lines().map(|line| format!("> {line}\r\n")).collect::<String>();
+    assert_eq!(open_link(&format!("{quoted}> \r\n> See you, Anna\r\n")).unwrap(), plain);
+    let wrapped = read("wrapped-by-mail");
+    let cut = &wrapped[..wrapped.len() / 2];
+    assert!(problem(cut).contains("damaged or incomplete"));
+}
+
 fn problem(text: &str) -> String {
-    let error = open_share_code(text).unwrap_err();
+    let error = open_link(text).unwrap_err();
     assert!(matches!(error, Error::ShareCode { .. }), "{error:?}");
     let line = error.to_string();
     assert!(line.starts_with("share code: ") && !line.contains('\n') && line.len() < 300, "{line}");
@@ -139,7 +156,8 @@ fn bad_codes_get_a_plain_sentence() {
     let code = share_code(&wires::sculpture(wires::helix()));
     assert!(problem("").contains("empty"));
     assert!(problem("  \n").contains("empty"));
-    assert!(problem("hello, world").contains("damaged"));
+    assert!(problem("hello, world").contains("neither a link"));
+    assert!(problem("https://example.org/#w=").contains("empty"));
     assert!(problem(&code[..code.len() - 1]).contains("damaged"));
     assert!(problem(&code[1..]).contains("damaged"));
     assert!(problem(&"A".repeat(2 << 20)).contains("longer"));
@@ -156,7 +174,7 @@ proptest! {
 
     #[test]
     fn any_text_is_survived(text in ".{0,200}") {
-        prop_assert!(open_share_code(&text).is_err());
+        prop_assert!(open_share_code(&text).is_err() && open_link(&text).is_err());
     }
 
     /// The checksum is right, so the contents are really read: counts, numbers, views are all random.

@@ -15,7 +15,7 @@ pub use format::{ExportOptions, Format, export};
 pub use glb::glb;
 pub use mesh::TriangleMesh;
 pub use obj::obj;
-pub use share::{open_share_code, share_code};
+pub use share::{open_link, open_share_code, share_code};
 pub use stl::stl;
 pub use svg::{SvgOptions, svg};
 pub use tube::{TubeOptions, tube};

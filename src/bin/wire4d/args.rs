@@ -104,7 +104,7 @@ pub fn command() -> Command {
         .subcommand(Command::new("share").about("The wire as a short code for a link").arg(wire()))
         .subcommand(
             Command::new("open")
-                .about("A share code back to wire.json")
+                .about("A link or a share code, as pasted, back to wire.json")
                 .arg(Arg::new("code").value_name("CODE").required(true).allow_hyphen_values(true).help("The code"))
                 .arg(out_file("wire.json to write")),
         )

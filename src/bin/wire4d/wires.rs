@@ -78,7 +78,7 @@ pub fn share(matches: &ArgMatches) -> Result<()> {
 
 /// `wire4d open`.
 pub fn open(matches: &ArgMatches) -> Result<()> {
-    let made = export::open_share_code(matches.get_one::<String>("code").map_or("", String::as_str))?;
+    let made = export::open_link(matches.get_one::<String>("code").map_or("", String::as_str))?;
     let out = args::path(matches, "out");
     write_whole(out, made.to_json().as_bytes())?;
     println!("{}", out.display());

@@ -6,6 +6,7 @@
 
 mod base64;
 mod contents;
+mod pasted;
 mod range;
 
 use crate::sculpture::{MadeWith, Sculpture};
@@ -45,24 +46,32 @@ pub fn share_code(sculpture: &Sculpture) -> String {
     base64::encode(&bytes)
 }
 
-/// The sculpture of a share code, or of a link that ends in one (after `#` or `=`).
+/// The sculpture of a link or a share code in `text`, whatever e-mail, a chat or a document did to it.
 ///
 /// # Errors
-/// [`Error::ShareCode`] for anything that is damaged, foreign or newer than this program.
-pub fn open_share_code(text: &str) -> Result<Sculpture> {
-    let damaged = || bad("is damaged or incomplete", "copy the whole code or link again");
+/// As [`open_share_code`].
+pub fn open_link(text: &str) -> Result<Sculpture> {
     if text.len() > MAX_CODE_CHARACTERS {
         return Err(bad("is longer than any code", "copy only the code or the link"));
     }
-    let code = text.trim().rsplit(['#', '=']).next().unwrap_or_default();
-    if code.is_empty() {
-        return Err(bad("is empty", "copy the whole code or link"));
-    }
-    let bytes = base64::decode(code).ok_or_else(damaged)?;
-    let (body, checksum) = bytes.split_last_chunk::<4>().ok_or_else(damaged)?;
-    if crc32fast::hash(body) != u32::from_le_bytes(*checksum) {
-        return Err(damaged());
-    }
+    let codes = pasted::codes_in(text);
+    let Some(first) = codes.first() else {
+        return Err(if text.trim().is_empty() || text.trim_end().ends_with(['=', '#']) {
+            bad("is empty", "copy the whole code or link")
+        } else {
+            bad("is neither a link to a wire nor a code", "copy the whole link, from https to its end")
+        });
+    };
+    open_share_code(codes.iter().find(|code| body(code).is_some()).unwrap_or(first))
+}
+
+/// The sculpture of a share code.
+///
+/// # Errors
+/// [`Error::ShareCode`] for anything that is damaged, foreign or newer than this program.
+pub fn open_share_code(code: &str) -> Result<Sculpture> {
+    let damaged = || bad("is damaged or incomplete", "copy the whole code or link again");
+    let body = body(code).ok_or_else(damaged)?;
     let (&version, packed) = body.split_first().ok_or_else(damaged)?;
     if version > VERSION {
         return Err(bad(&format!("has version {version}, newer than this program reads ({VERSION})"), "update Wire4D"));
@@ -76,6 +85,18 @@ pub fn open_share_code(text: &str) -> Result<Sculpture> {
         Error::Wire { problem, .. } => bad(&format!("holds no valid wire ({problem})"), "ask for a new code"),
         _ => damaged(),
     })
+}
+
+/// What is in a code, if its checksum is right.
+fn body(code: &str) -> Option<Vec<u8>> {
+    if code.len() > MAX_CODE_CHARACTERS {
+        return None;
+    }
+    let mut bytes = base64::decode(code)?;
+    let (body, checksum) = bytes.split_last_chunk::<4>()?;
+    let whole = crc32fast::hash(body) == u32::from_le_bytes(*checksum);
+    bytes.truncate(bytes.len() - 4);
+    whole.then_some(bytes)
 }
 
 fn bad(problem: &str, remedy: &str) -> Error {

@@ -5,6 +5,7 @@ import { EngineClient } from "../engine/client";
 import type { Backend, Drawing, ExportFormat, Ink, PatternName } from "../engine/protocol";
 import { addressed } from "./address/address";
 import { writeFragment } from "./address/fragment";
+import { fragmentIn } from "./address/pasted";
 import { forOthers, readRenderer } from "./address/renderer";
 import { sortFiles } from "./drawing/files";
 import { Dressing } from "./giving/dressing";
@@ -163,7 +164,7 @@ export class Studio {
   /** Text pasted or dropped on the page: a link is opened, for anything else there is a better place. */
   takeText(text: string): void {
     if (this.busy || !text.trim()) return;
-    const hash = /#\S*\bw=\S+/.exec(text)?.[0];
+    const hash = fragmentIn(text);
     if (hash) void this.openFragment(hash);
     else if (this.doc.job === "stroke") this.warn("That was text. Here a wire is made of a picture: paste or drop one.");
     else if (this.doc.job === "fill") this.warn("That was text. Here a wire covers a shape: drop a mesh, or a picture for its style.");

@@ -7,6 +7,7 @@ import type { WireShape } from "../shape";
 import type { View } from "../view";
 import { crc32, fromBase64 } from "./base64";
 import { isView, wireProblem } from "./check";
+import { codesIn, type Found } from "./pasted";
 import { Nonsense, readContents, type KnotCode } from "./contents";
 import { RangeDecoder } from "./range";
 
@@ -28,24 +29,37 @@ const VERSION = 1;
 const MAX_CODE_CHARACTERS = 1 << 20;
 
 /**
- * The wire of a share code, or of a link that ends in one (after `#` or `=`).
+ * The wire of a share code.
  * @throws ShareCodeError for anything that is damaged, foreign or newer than this page.
  */
-export function openShareCode(text: string): Opened {
-  if (text.length > MAX_CODE_CHARACTERS) throw new ShareCodeError("This link is longer than any code; copy only the code or the link.");
-  const code = text.trim().split(/[#=]/).at(-1)!;
+export function openShareCode(code: string): Opened {
+  if (code.length > MAX_CODE_CHARACTERS) throw new ShareCodeError("This link is longer than any code; copy only the code or the link.");
   if (!code) throw new ShareCodeError("This link is empty; copy the whole code or link.");
-  const bytes = fromBase64(code);
-  if (!bytes || bytes.length < 5) throw damaged();
-  const body = bytes.subarray(0, -4);
-  const checksum = new DataView(bytes.buffer).getUint32(body.length, true);
-  if (crc32(body) !== checksum) throw damaged();
+  const body = bodyOf(code);
+  if (!body) throw damaged();
   const version = body[0]!;
   if (version > VERSION) {
     throw new ShareCodeError(`This link was made by a newer Wire4D (version ${version}, this page reads ${VERSION}); reload the page to get it.`);
   }
   if (version !== VERSION) throw damaged();
   return unpack(body.subarray(1));
+}
+
+/** The code in a pasted text, with what stands round it; null where nothing is like one. A whole one, if there is one. */
+export function codeIn(text: string): (Found & { readonly whole: boolean }) | null {
+  if (text.length > MAX_CODE_CHARACTERS) return null;
+  const found = codesIn(text);
+  const whole = found.find(({ code }) => bodyOf(code));
+  const best = whole ?? found[0];
+  return best ? { ...best, whole: best === whole } : null;
+}
+
+/** What is in a code, if its checksum is right. */
+function bodyOf(code: string): Uint8Array | null {
+  const bytes = fromBase64(code);
+  if (!bytes || bytes.length < 5) return null;
+  const body = bytes.subarray(0, -4);
+  return crc32(body) === new DataView(bytes.buffer).getUint32(body.length, true) ? body : null;
 }
 
 function unpack(packed: Uint8Array): Opened {

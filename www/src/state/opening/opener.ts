@@ -6,6 +6,7 @@ import { Problem } from "../../engine/client";
 import type { Job, ViewMeasures } from "../../engine/protocol";
 import { sheetOf } from "../../engine/sheet";
 import { readFragment } from "../address/fragment";
+import { fragmentIn } from "../address/pasted";
 import { pixelsOf } from "../drawing/picture";
 import { untouched, withDesk, type Made } from "../keeping/document";
 import { NOTHING_TO_SEE } from "../run/runner";
@@ -44,7 +45,7 @@ export class Opener {
 
   /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
   async fragment(hash: string): Promise<boolean> {
-    const { job, code, cover, settings, newer } = readFragment(hash);
+    const { job, code, cover, settings, newer } = readFragment(fragmentIn(hash) ?? hash);
     this.bench.warn("");
     if (newer) {
       this.bench.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");

@@ -33,6 +33,12 @@ describe("a verdict", () => {
     expect(verdict(made([view("front", [0.9]), view("side", [0.95])]))).toMatch(/^Both views match well,/);
   });
 
+  it("takes thin lines that are off by their own width for a good match", () => {
+    expect(verdict(made([view("front", [0.72, 0.96, 0.97]), view("side", [0.9])]))).toMatch(/^Both views match well; 4%/);
+    expect(verdict(made([view("front", [0.72, 0.98, 0.94])]))).toContain("No view matches well yet; 6%");
+    expect(verdict(made([view("front", [0.6, 0.98, 0.98])]))).toContain("hard to recognise");
+  });
+
   it("names missing ink by the drawing's own name, and what to try", () => {
     const views = [view("front", [0.9]), view("side", [0.92]), view("top", [0.7, 0.99, 0.94], { target_coverable: 0.9 })];
     expect(verdict(made(views, { labels: ["bird.png", "bike.png", "Star.png"] }))).toBe(
@@ -51,8 +57,8 @@ describe("a verdict", () => {
   it("says when nothing matches, counts pieces, and knows the preset", () => {
     const words = verdict(made([view("front", [0.4, 0.99, 0.99]), view("side", [0.5])], { components: 34, settings: { preset: "paper" } }));
     expect(words).toBe("No view matches well yet; the front drawing is hard to recognise (40%). The wire is in 34 pieces. Best wire keeps it in one piece.");
-    expect(verdict(made([view("front", [0.7])], { settings: { preset: "fast" } }))).toContain("Best wire takes a little longer");
-    expect(verdict(made([view("front", [0.7])], { stopped: true }))).toContain("stopped early");
+    expect(verdict(made([view("front", [0.6])], { settings: { preset: "fast" } }))).toContain("Best wire takes a little longer");
+    expect(verdict(made([view("front", [0.6])], { stopped: true }))).toContain("stopped early");
   });
 
   it("counts the match with the bent drawings, and says that they were bent", () => {

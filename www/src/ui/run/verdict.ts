@@ -7,6 +7,8 @@ import { percent } from "../../state/words";
 
 const GOOD = 0.82;
 const FAIR = 0.65;
+/** A thin line that is off by its own width reads the same: it is enough if so much of wire and drawing is within two pixels. */
+const NEAR = 0.95;
 /** Ink missing, or wire beside the drawing, of less than this share nobody sees. */
 const SEEN = 0.03;
 /** Bending of less than this, in pixels of 256, changes no drawing's look. */
@@ -30,7 +32,7 @@ export function verdict(made: Made): string {
   const given = ofOne ? views.slice(0, 1) : views;
   const worst = given.reduce((a, b) => (b.value < a.value ? b : a));
   const flaw = flawOf(worst, ofOne ? "the picture" : subject(made, worst.name), ofOne);
-  const good = praise(given.filter(({ value }) => value >= GOOD).map(({ name }) => name), given.length, ofOne);
+  const good = praise(given.filter(isGood).map(({ name }) => name), given.length, ofOne);
   const apart = measures.components > 1;
   const sentences = [
     `${good}${flaw.words ? `; ${flaw.words}` : apart ? "" : ", in one piece of wire"}.`,
@@ -39,6 +41,12 @@ export function verdict(made: Made): string {
     ofOne ? adviceForOne(made, flaw.kind) : advice(made, flaw.kind, worst),
   ];
   return sentences.filter(Boolean).join(" ");
+}
+
+type Compared = { value: number; precision_2px: number | null; recall_2px: number | null };
+
+function isGood({ value, precision_2px, recall_2px }: Compared): boolean {
+  return value >= GOOD || (value >= FAIR && Math.min(precision_2px ?? 0, recall_2px ?? 0) >= NEAR);
 }
 
 function pieces(count: number): string {
@@ -55,14 +63,14 @@ function praise(good: readonly string[], all: number, ofOne: boolean): string {
 
 type Flaw = "none" | "missing" | "stray" | "unclear";
 
-function flawOf(view: { value: number; precision_2px: number | null; recall_2px: number | null }, subject: string, ofOne: boolean): { kind: Flaw; words: string } {
+function flawOf(view: Compared, subject: string, ofOne: boolean): { kind: Flaw; words: string } {
   const missing = 1 - (view.recall_2px ?? 1);
   const stray = 1 - (view.precision_2px ?? 1);
   if (missing >= SEEN && missing >= stray) return { kind: "missing", words: `${percent(missing)} of ${subject}’s ${ofOne ? "lines are" : "ink is"} missing` };
   if (stray >= SEEN && ofOne) return { kind: "stray", words: `${percent(stray)} of what it shows is wire between the lines` };
   if (stray >= SEEN) return { kind: "stray", words: `${percent(stray)} of what ${subject} shows are links that join its parts` };
   if (view.value < FAIR) return { kind: "unclear", words: `${subject} is hard to recognise (${percent(view.value)})` };
-  if (view.value < GOOD) return { kind: "unclear", words: `${subject} matches fairly well (${percent(view.value)})` };
+  if (!isGood(view)) return { kind: "unclear", words: `${subject} matches fairly well (${percent(view.value)})` };
   return { kind: "none", words: "" };
 }
 
