@@ -3,9 +3,9 @@
 mod export_support;
 
 use export_support as wires;
-use wire4d::export::{ExportOptions, Format, SvgOptions, bend_csv, export, svg};
+use wire4d::export::{ExportOptions, Format, SvgOptions, bend_csv, export, lines, svg};
 use wire4d::mesh::{Depths, Shape};
-use wire4d::sculpture::{Sculpture, Strand, render, render_seen};
+use wire4d::sculpture::{Sculpture, Strand, render, render_seen, strands};
 use wire4d::view::{Image, Occluder, View};
 use wire4d::wire::Wire;
 
@@ -121,6 +121,102 @@ fn drawings_are_small_and_sized_like_the_view() {
     assert!(text.len() < 60_000, "{} bytes", text.len());
 }
 
+/// Points of each path of a file of centre lines, px, and how many millimetres a px is.
+fn paths(svg: &str) -> (Vec<Vec<[f64; 2]>>, f64) {
+    let between = |text: &str, start: &str, end: &str| {
+        let from = text.find(start).unwrap() + start.len();
+        text[from..from + text[from..].find(end).unwrap()].to_owned()
+    };
+    let numbers = |text: &str| -> Vec<f64> {
+        let spaced = text.replace(['M', 'L', 'Z'], " ");
+        spaced.split_whitespace().map(|number| number.parse().unwrap()).collect()
+    };
+    let view_box = numbers(&between(svg, "viewBox=\"", "\""));
+    let width_mm: f64 = between(svg, "width=\"", "mm\"").parse().unwrap();
+    let path = |line: &str| {
+        let data = between(line, "d=\"", "\"");
+        let mut points: Vec<[f64; 2]> = numbers(&data).chunks_exact(2).map(|p| [p[0], p[1]]).collect();
+        points.extend(data.ends_with('Z').then(|| points[0]));
+        points
+    };
+    (svg.lines().filter(|line| line.starts_with("<path")).map(path).collect(), width_mm / view_box[2])
+}
+
+fn length(points: &[[f64; 2]]) -> f64 {
+    points.windows(2).map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])).sum()
+}
+
+#[test]
+fn centre_lines_are_one_path_as_long_as_the_wire_looks_and_of_real_size() {
+    let field = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/field/key-and-house.wire.json")).unwrap();
+    let field = Sculpture::from_json("field", &field).unwrap();
+    let all = wires::all().into_iter().map(|(name, wire)| (name, wires::sculpture(wire)));
+    for (name, sculpture) in all.chain([("field", field)]) {
+        for view in [View::canonical(2.2, 256)[1].clone(), wires::perspective()] {
+            let options = ExportOptions { object_size_mm: 120.0, ..ExportOptions::default() };
+            let text = String::from_utf8(export(&sculpture, Format::Lines, Some(&view), None, &options).unwrap());
+            let text = text.unwrap();
+            let (paths, mm_per_px) = paths(&text);
+            let camera = view.camera::<f64>();
+            let mut expected = 0.0;
+            let shown = strands(&sculpture.wire, 200);
+            for Strand { points, closed } in &shown {
+                let mut flat: Vec<[f64; 2]> =
+                    points.iter().map(|p| camera.project(p)).map(|[x, y, _]| [x, y]).collect();
+                flat.extend(closed.then(|| flat[0]));
+                expected += length(&flat);
+            }
+            assert_eq!(paths.len(), shown.len(), "{name}");
+            let drawn: f64 = paths.iter().map(|path| length(path)).sum();
+            assert!((drawn - expected).abs() < 0.01 * expected + 1e-9, "{name}: {drawn} px of {expected}");
+            let extent = |c: usize| {
+                let ends = paths.iter().flatten().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[c]), b.max(p[c])));
+                (ends.1 - ends.0) * mm_per_px
+            };
+            let longest = extent(0).max(extent(1));
+            assert!(expected < 1e-9 || (longest < 120.01 && longest > 100.0), "{name}: {longest} mm");
+            assert_eq!(text.matches('Z').count(), shown.iter().filter(|strand| strand.closed).count());
+        }
+    }
+}
+
+#[test]
+fn centre_lines_end_where_a_solid_hides_them() {
+    let (wire, sphere) = (round_a_sphere(), Shape::named("sphere").unwrap().mesh());
+    let view = View::canonical(2.2, 256)[0].clone();
+    let occluder = Occluder::new(Depths::render(&sphere, &view).widened());
+    let (bare, hidden) =
+        (paths(&lines(&wire, &view, None, 100.0)).0, paths(&lines(&wire, &view, Some(&occluder), 100.0)).0);
+    let sum = |paths: &[Vec<[f64; 2]>]| paths.iter().map(|path| length(path)).sum::<f64>();
+    assert_eq!(bare.len(), 1);
+    // Twelve turns there and back, of each of which the front half is seen.
+    assert!((8..=26).contains(&hidden.len()), "{} stretches", hidden.len());
+    assert!((0.42..0.62).contains(&(sum(&hidden) / sum(&bare))), "{} of {}", sum(&hidden), sum(&bare));
+}
+
+#[test]
+fn centre_lines_are_as_wide_as_the_wire_where_it_has_one_width_and_blank_where_nothing_shows() {
+    let view = View::canonical(2.2, 256)[0].clone();
+    let stroke = |wire: &Wire| {
+        let text = lines(wire, &view, None, 100.0);
+        let from = text.find("stroke-width=\"").unwrap() + 14;
+        text[from..from + text[from..].find('"').unwrap()].parse::<f64>().unwrap()
+    };
+    let ring = |width: fn(f64) -> f64| {
+        let point = |i: i32| f64::from(i) / 40.0 * std::f64::consts::TAU;
+        let points = (0..40).map(point).map(|a| [a.cos(), a.sin(), 0.0, width(a)]);
+        Wire::closed_uniform(points.collect()).unwrap()
+    };
+    let px = 256.0 / 2.2;
+    assert!((stroke(&ring(|_| 0.04)) - 0.04 * px).abs() < 0.01);
+    assert!((stroke(&ring(|a| 0.04 + 0.02 * a.sin())) - 0.02 * px).abs() < 0.05);
+    // Inside the sphere.
+    let small = ring(|_| 0.04).control_points().iter().map(|&[x, y, z, w]| [0.3 * x, 0.3 * y, z, w]).collect();
+    let sphere = Occluder::new(Depths::render(&Shape::named("sphere").unwrap().mesh(), &view).widened());
+    let blank = lines(&Wire::closed_uniform(small).unwrap(), &view, Some(&sphere), 100.0);
+    assert!(blank.starts_with("<svg ") && !blank.contains("<path") && !blank.contains("NaN"), "{blank}");
+}
+
 /// The list's own lengths, rotations and bends, followed from its first two points, lead along its points.
 #[test]
 fn a_bend_list_leads_along_the_wire() {
@@ -212,7 +308,7 @@ fn formats_go_by_ending() {
     }
     for path in ["", "glb", "a.gltf", "a.csv", "a.json", "x.glb/", "noglb", "mywire.json"] {
         let line = Format::from_path(path).unwrap_err().to_string();
-        assert!(line.contains(".glb, .stl, .obj, .svg, .bend.csv, .wire.json"), "{line}");
+        assert!(line.contains(".glb, .stl, .obj, .lines.svg, .svg, .bend.csv, .wire.json"), "{line}");
     }
 }
 
@@ -228,6 +324,6 @@ fn every_format_is_written_and_bad_sizes_are_refused() {
     for size in [0.0, -1.0, f64::NAN, 1e9] {
         let options = ExportOptions { object_size_mm: size, ..ExportOptions::default() };
         let line = export(&sculpture, Format::Stl, None, None, &options).unwrap_err().to_string();
-        assert!(line.contains("object_size_mm"), "{line}");
+        assert!(line.contains("size in mm"), "{line}");
     }
 }

@@ -1,6 +1,6 @@
 //! Which file a name's ending asks for, and the one function that writes any of them.
 
-use super::{SvgOptions, TubeOptions, bend_csv, glb, obj, stl, svg, tube};
+use super::{SvgOptions, TubeOptions, bend_csv, glb, lines, obj, stl, svg, tube};
 use crate::mesh::Mesh;
 use crate::sculpture::{Sculpture, Strand, strands};
 use crate::view::{Occluder, View};
@@ -16,6 +16,8 @@ pub enum Format {
     Stl,
     /// Wavefront OBJ: a solid.
     Obj,
+    /// A view's centre lines in millimetres, as SVG.
+    Lines,
     /// A view's outlines.
     Svg,
     /// A bend list in millimetres.
@@ -26,14 +28,25 @@ pub enum Format {
 
 impl Format {
     /// All of them with their endings.
-    pub const ALL: [(Format, &'static str); 6] = [
+    pub const ALL: [(Format, &'static str); 7] = [
         (Format::Glb, "glb"),
         (Format::Stl, "stl"),
         (Format::Obj, "obj"),
+        (Format::Lines, "lines.svg"),
         (Format::Svg, "svg"),
         (Format::BendCsv, "bend.csv"),
         (Format::WireJson, "wire.json"),
     ];
+
+    /// Whether it shows one view of the wire.
+    pub fn draws_a_view(self) -> bool {
+        matches!(self, Format::Svg | Format::Lines)
+    }
+
+    /// Whether it is as large as [`ExportOptions::object_size_mm`] says.
+    pub fn has_a_size(self) -> bool {
+        matches!(self, Format::Stl | Format::BendCsv | Format::Lines)
+    }
 
     /// By the ending of a file's name or path, upper or lower case. `wire.json` may be the whole name.
     ///
@@ -55,7 +68,7 @@ impl Format {
 /// Choices that formats share. Lengths in millimetres are of the made object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExportOptions {
-    /// The longest side of the object, wire included, for STL and bend lists.
+    /// The longest side of the object, wire included, for STL and bend lists; that of the drawing for centre lines.
     pub object_size_mm: f64,
     /// No printed wire is thinner; its radius.
     pub min_radius_mm: f64,
@@ -86,7 +99,7 @@ impl ExportOptions {
     /// [`Error::Setting`] for one that cannot.
     pub fn check(&self) -> Result<()> {
         let lengths = [
-            ("object_size_mm", self.object_size_mm, 0.1..=1e5),
+            ("size in mm", self.object_size_mm, 0.1..=1e5),
             ("min_radius_mm", self.min_radius_mm, 0.0..=1e3),
             ("bend_tolerance_mm", self.bend_tolerance_mm, 1e-3..=1e3),
         ];
@@ -103,7 +116,7 @@ impl ExportOptions {
 /// Samples a knot span before the tube is thinned.
 const SAMPLES_PER_SPAN: usize = 32;
 
-/// The bytes of a file. SVG draws `view`, or the first of the sculpture's views, or the front, without what lies behind
+/// The bytes of a file. Drawings show `view`, or the first of the sculpture's views, or the front, without what lies behind
 /// `solid`; the other formats have the whole wire alone.
 ///
 /// # Errors
@@ -124,11 +137,15 @@ pub fn export(
             let (mm_per_world, min_radius_world) = scale(&strands, options.object_size_mm, options.min_radius_mm);
             stl(&tube(&strands, &TubeOptions { min_radius_world, ..options.tube }).scaled(mm_per_world))
         }
-        Format::Svg => {
+        Format::Svg | Format::Lines => {
             let [front, ..] = View::canonical(2.2, 256);
             let view = view.or(sculpture.views.first()).unwrap_or(&front);
-            svg(&sculpture.wire, view, solid.map(|solid| hiding(sculpture, solid, view)).as_ref(), &options.svg)
-                .into_bytes()
+            let occluder = solid.map(|solid| hiding(sculpture, solid, view));
+            let text = match format {
+                Format::Lines => lines(&sculpture.wire, view, occluder.as_ref(), options.object_size_mm),
+                _ => svg(&sculpture.wire, view, occluder.as_ref(), &options.svg),
+            };
+            text.into_bytes()
         }
         Format::BendCsv => {
             let (mm_per_world, _) = scale(&strands, options.object_size_mm, 0.0);

@@ -1,8 +1,9 @@
-//! Files and links from a sculpture: tube meshes (GLB, STL, OBJ), drawings (SVG), bend lists, share codes.
+//! Files and links from a sculpture: tube meshes (GLB, STL, OBJ), drawings and centre lines (SVG), bend lists, share codes.
 
 mod bend;
 mod format;
 mod glb;
+mod lines;
 mod mesh;
 mod obj;
 mod share;
@@ -13,6 +14,7 @@ mod tube;
 pub use bend::bend_csv;
 pub use format::{ExportOptions, Format, export};
 pub use glb::glb;
+pub use lines::lines;
 pub use mesh::TriangleMesh;
 pub use obj::obj;
 pub use share::{open_link, open_share_code, share_code};

@@ -124,7 +124,7 @@ impl Made {
     }
 }
 
-/// A wire.json as a file of another format, by its ending; `view` is the name of the view an SVG draws.
+/// A wire.json as a file of another format, by its ending; `view` is the name of the view that an SVG shows.
 #[wasm_bindgen]
 pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {
     Ok(exported(file, format, view, None)?)
@@ -135,7 +135,7 @@ pub(super) fn exported(file: &[u8], format: &str, view: &str, solid: Option<&Mes
     let sculpture = Sculpture::from_json("wire.json", file)?;
     let format = Format::from_path(&format!("wire.{format}"))?;
     let drawn = sculpture.views.iter().find(|known| known.name == view);
-    if format == Format::Svg && drawn.is_none() && !sculpture.views.is_empty() {
+    if format.draws_a_view() && drawn.is_none() && !sculpture.views.is_empty() {
         let names: Vec<&str> = sculpture.views.iter().map(|view| view.name.as_str()).collect();
         let problem = format!("the wire has no view {view:?}");
         return Err(Error::setting("view", problem, format!("give one of {}", names.join(", "))));

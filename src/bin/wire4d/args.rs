@@ -91,7 +91,21 @@ pub fn command() -> Command {
                 .arg(wire())
                 .arg(file("to", "File to write").long("to").required(true))
                 .arg(view())
-                .arg(covers()),
+                .arg(covers())
+                .arg(
+                    Arg::new("lines")
+                        .long("lines")
+                        .action(ArgAction::SetTrue)
+                        .help("An SVG of centre lines in real size, for pen plotters and benders, not of outlines"),
+                )
+                .arg(
+                    Arg::new("size-mm")
+                        .long("size-mm")
+                        .value_name("MM")
+                        .value_parser(value_parser!(f64))
+                        .allow_negative_numbers(true)
+                        .help("Longest side: of the drawing (--lines) or the object (STL, bend list) [default: 100]"),
+                ),
         )
         .subcommand(
             Command::new("metrics").about("Numbers about a wire, as in a report's `result`").arg(wire()).arg(

@@ -59,13 +59,27 @@ pub fn metrics(matches: &ArgMatches) -> Result<()> {
 /// `wire4d export`.
 pub fn export(matches: &ArgMatches) -> Result<()> {
     let to = args::path(matches, "to");
-    let format = Format::from_path(&to.to_string_lossy())?;
+    let format = match (Format::from_path(&to.to_string_lossy())?, matches.get_flag("lines")) {
+        (Format::Svg, true) => Format::Lines,
+        (format, wanted) if wanted && format != Format::Lines => {
+            return Err(Error::setting("--lines", "is for drawings", "leave it out, or write an .svg"));
+        }
+        (format, _) => format,
+    };
     let made = read_wire(args::path(matches, "wire"))?;
     let (view, solid) = (view_of(&made, matches)?, solid(matches)?);
-    if solid.is_some() && format != Format::Svg {
+    if solid.is_some() && !format.draws_a_view() {
         return Err(Error::setting("--covers", "is for drawings", "leave it out, or write an .svg"));
     }
-    write_whole(to, &export::export(&made, format, Some(&view), solid.as_deref(), &ExportOptions::default())?)?;
+    let mut options = ExportOptions::default();
+    if let Some(&size) = matches.get_one::<f64>("size-mm") {
+        if !format.has_a_size() {
+            let remedy = "leave it out, or write an .stl, a .bend.csv or an .svg with --lines";
+            return Err(Error::setting("--size-mm", "is for files in millimetres", remedy));
+        }
+        options.object_size_mm = size;
+    }
+    write_whole(to, &export::export(&made, format, Some(&view), solid.as_deref(), &options)?)?;
     println!("{}", to.display());
     Ok(())
 }

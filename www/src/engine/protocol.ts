@@ -305,7 +305,7 @@ export type SettingsTables = Readonly<Record<Job, SettingsTable>>;
 /** Settings by name, as text; in a request, those that differ from their preset. */
 export type SettingValues = Readonly<Record<string, string>>;
 
-export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "wire.json" | "bend.csv";
+export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "lines.svg" | "wire.json" | "bend.csv";
 
 /** What the page can ask for: arguments and answer by name. */
 export interface Calls {

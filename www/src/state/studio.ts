@@ -266,7 +266,7 @@ export class Studio {
     const { made } = deskOf(this.doc);
     if (!made) return null;
     try {
-      const covered = format === "svg" ? this.hiding(made) : null;
+      const covered = format.endsWith("svg") ? this.hiding(made) : null;
       const bytes = await this.engine.call("export", { file: made.finished.file, format, view, covered });
       return new Blob([bytes], { type: MIME[format] });
     } catch (error) {
@@ -402,6 +402,7 @@ const MIME: Readonly<Record<ExportFormat, string>> = {
   stl: "model/stl",
   obj: "model/obj",
   svg: "image/svg+xml",
+  "lines.svg": "image/svg+xml",
   "wire.json": "application/json",
   "bend.csv": "text/csv",
 };

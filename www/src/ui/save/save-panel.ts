@@ -25,6 +25,7 @@ const FIRST: readonly FileKind[] = [
 const MORE: readonly FileKind[] = [
   { format: "wire.json", name: "wire.json", use: "To open here again" },
   { format: "obj", name: "OBJ", use: "For modelling programs" },
+  { format: "lines.svg", name: "Centre lines", use: "For pen plotters, SVG of the view above, 10 cm" },
   { format: "bend.csv", name: "Bend list", use: "To bend it by hand, CSV" },
 ];
 
@@ -174,7 +175,10 @@ export class SavePanel extends Part {
     const view = this.shown;
     const blob = await this.studio.export(format, view);
     this.busy = "";
-    if (blob) this.keep(blob, format === "svg" ? `-${view.replace(/[^\w-]+/g, "-")}.svg` : format === "bend.csv" ? "-bends.csv" : `.${format}`);
+    if (!blob) return;
+    const ofView = `-${view.replace(/[^\w-]+/g, "-")}`;
+    const endings: Partial<Record<ExportFormat, string>> = { svg: `${ofView}.svg`, "lines.svg": `${ofView}-lines.svg`, "bend.csv": "-bends.csv" };
+    this.keep(blob, endings[format] ?? `.${format}`);
   }
 
   private async savePicture(): Promise<void> {
