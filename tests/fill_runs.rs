@@ -30,7 +30,7 @@ fn plan(given: &Given, settings: &Settings) -> Plan {
 
 fn finished(given: &Given, settings: &Settings) -> Run {
     let mut run = Run::start(plan(given, settings), settings).unwrap();
-    run.step(usize::MAX);
+    run.step(usize::MAX).unwrap();
     run
 }
 
@@ -57,10 +57,10 @@ fn the_same_seed_gives_the_same_wire_however_often_it_is_interrupted() {
     let whole = finished(&given, &settings).sculpture().wire;
     let mut run = Run::start(plan(&given, &settings), &settings).unwrap();
     // Between two times that tangent planes are taken, and in the middle of a round of sides.
-    run.step(13);
+    run.step(13).unwrap();
     let saved = run.checkpoint();
     let mut resumed = Run::resume(plan(&given, &settings), &settings, &saved).unwrap();
-    resumed.step(usize::MAX);
+    resumed.step(usize::MAX).unwrap();
     assert!(resumed.sculpture().wire == whole);
     assert!(finished(&given, &Settings { seed: 1, ..settings }).sculpture().wire != whole);
     let other = Settings { density: 0.9, ..self::settings() };

@@ -21,7 +21,7 @@ fn fitted(backend: Backend, seed: u64) -> Run {
     let style = Style { name: "waves".into(), ink: Pattern::Waves.picture(256), tiles: true };
     let given = Given { style: Some(style), ..Given::shape(Shape::Torus) };
     let mut run = Run::start(plan(&given, &settings, &mut |_| true).unwrap().unwrap(), &settings).unwrap();
-    run.step(usize::MAX);
+    run.step(usize::MAX).unwrap();
     run
 }
 

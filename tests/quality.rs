@@ -40,7 +40,7 @@ fn fit(set: &str, settings: &Settings) -> Figures {
         .map(|file| Drawing::new(&read_picture(file).unwrap(), None, settings).unwrap())
         .collect();
     let mut run = Run::start(plan(&drawings, settings).unwrap(), settings, &mut |_| true).unwrap();
-    run.step(settings.iterations);
+    run.step(settings.iterations).unwrap();
     let result = run.result();
     let mean = |figure: fn(&wire4d::metrics::ViewReport) -> Option<f64>| {
         result.views.iter().map(|view| figure(view).unwrap()).sum::<f64>() / result.views.len() as f64

@@ -57,15 +57,15 @@ fn a_resumed_run_ends_where_an_uninterrupted_one_does() {
     for more in [&[("bend", "little")], &[("bend", "free")], refined] {
         let settings = settings(more);
         let mut straight = started(&settings);
-        straight.step(usize::MAX);
+        straight.step(usize::MAX).unwrap();
         // Before anything, in either stage, after re-initialisation and refinement, and at the end.
         for cut in [0, 5, 32, 33, 40] {
             let mut first = started(&settings);
-            first.step(cut);
+            first.step(cut).unwrap();
             let bytes = first.checkpoint();
             let mut second = resumed(&settings, &bytes).unwrap();
             assert_eq!(second.checkpoint(), bytes, "what is read is what was written");
-            second.step(usize::MAX);
+            second.step(usize::MAX).unwrap();
             assert_same(&second, &straight);
         }
     }
@@ -74,7 +74,7 @@ fn a_resumed_run_ends_where_an_uninterrupted_one_does() {
 /// Bytes of a run after 20 of 40 iterations.
 static SAVED: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let mut run = started(&settings(&[]));
-    run.step(20);
+    run.step(20).unwrap();
     run.checkpoint()
 });
 
@@ -85,11 +85,11 @@ fn settings_that_keep_the_run_may_change_and_others_are_named() {
         let settings = settings(&[more]);
         let mut run = resumed(&settings, &SAVED).unwrap();
         assert_eq!(run.session().iteration(), 20);
-        run.step(usize::MAX);
+        run.step(usize::MAX).unwrap();
         assert!(run.session().is_done() && run.session().iteration() == settings.iterations);
     }
     let mut thin = resumed(&settings(&[("max-width", "1.5")]), &SAVED).unwrap();
-    thin.step(usize::MAX);
+    thin.step(usize::MAX).unwrap();
     let px = thin.plan().arrangement.height_world / 256.0;
     let widest = thin.sculpture().wire.control_points().iter().map(|point| point[3]).fold(0.0, f64::max);
     assert!(widest <= 1.5001 * px, "the new bound holds, also for the best wire: {} px", widest / px);
@@ -165,7 +165,7 @@ proptest! {
         let checksum = crc32fast::hash(&forged[8..]).to_le_bytes();
         forged[4..8].copy_from_slice(&checksum);
         if let Ok(mut run) = resumed(&settings(&[]), &forged) {
-            run.step(3);
+            run.step(3).unwrap();
             prop_assert!(run.sculpture().wire.control_points().iter().flatten().all(|c| c.is_finite()));
         }
     }

@@ -63,10 +63,29 @@ fn rooms_named(text: &str) -> Vec<String> {
     found
 }
 
+/// The text without the items that only tests have: those may look anywhere.
+fn without_tests(text: &str) -> String {
+    let mut parts = text.split("#[cfg(test)]");
+    let mut kept = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        // An item ends with its semicolon, or with the brace that closes its body.
+        let mut depth = 0;
+        let mut previous = ' ';
+        let end = part.char_indices().find(|&(_, c)| {
+            // Not in '{'.
+            let counts = previous != '\'';
+            previous = c;
+            depth += i32::from(c == '{' && counts) - i32::from(c == '}' && counts);
+            depth == 0 && (c == ';' || (c == '}' && counts))
+        });
+        kept.push_str(end.map_or("", |(at, c)| &part[at + c.len_utf8()..]));
+    }
+    kept
+}
+
 /// The upward arrows of one file.
 fn upward(room: &str, text: &str) -> Vec<String> {
-    // Tests at a file's foot may look anywhere.
-    let text = text.split("#[cfg(test)]").next().unwrap_or(text);
+    let text = &without_tests(text);
     let here = level(room).unwrap_or(usize::MAX);
     rooms_named(text)
         .into_iter()
@@ -113,4 +132,7 @@ fn the_check_sees_an_upward_arrow() {
     assert_eq!(upward("wire", "use crate::{Error, tasks::multiview, view::{View, Image}};").len(), 2);
     assert_eq!(upward("wire", "let x = crate::raster::ExactRaster::new();").len(), 1);
     assert!(upward("tasks", "use crate::{Error, start::tree, wire::Wire};").is_empty());
+    let between = "#[cfg(test)]\nuse crate::tasks::Run;\nuse crate::web::Run;\n#[cfg(test)]\nmod tests { fn a() { b('{'); crate::tasks::c() } }";
+    assert_eq!(upward("wire", between), ["wire uses web"]);
+    assert_eq!(upward("wire", &format!("{between}\nfn d() {{ crate::gpu::e(); }}")).len(), 2);
 }

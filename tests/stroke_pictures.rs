@@ -19,7 +19,7 @@ fn every_picture_reads_from_the_front_and_stays_within_its_solid() {
         assert!(std::fs::metadata(&path).unwrap().len() <= 30_000);
         let plan = plan(&Given::picture(read_picture(&path).unwrap()), &settings).unwrap();
         let mut run = Run::start(plan, &settings).unwrap();
-        run.step(usize::MAX);
+        run.step(usize::MAX).unwrap();
         let result = run.result();
         let (front, sides) = (&result.views[0], &result.views[1..]);
         let stays = sides.iter().all(|side| side.precision_2px > Some(0.95));

@@ -45,7 +45,7 @@ fn planned(picture: Picture, settings: &Settings) -> Plan {
 
 fn finished(plan: Plan, settings: &Settings) -> Run {
     let mut run = Run::start(plan, settings).unwrap();
-    run.step(usize::MAX);
+    run.step(usize::MAX).unwrap();
     run
 }
 
@@ -79,9 +79,9 @@ fn the_seed_decides_and_a_checkpoint_goes_on() {
     let settings = quick(&[("iterations", "24")]);
     let whole = finished(planned(ball(), &settings), &settings).sculpture();
     let mut half = Run::start(planned(ball(), &settings), &settings).unwrap();
-    half.step(11);
+    half.step(11).unwrap();
     let mut resumed = Run::resume(planned(ball(), &settings), &settings, &half.checkpoint()).unwrap();
-    resumed.step(usize::MAX);
+    resumed.step(usize::MAX).unwrap();
     assert_eq!(resumed.sculpture(), whole);
     assert!(Run::resume(planned(letter(), &settings), &settings, &half.checkpoint()).is_err());
     let other = quick(&[("iterations", "24"), ("seed", "1")]);
@@ -260,7 +260,7 @@ fn sides_change_as_the_run_goes_and_a_checkpoint_knows_which() {
     let mut run = start();
     let mut seen = Vec::new();
     for _ in 0..3 {
-        run.step(8);
+        run.step(8).unwrap();
         seen.push(directions(&run));
     }
     for (a, b) in [(0, 1), (1, 2), (0, 2)] {
@@ -273,10 +273,10 @@ fn sides_change_as_the_run_goes_and_a_checkpoint_knows_which() {
     let whole = run.sculpture();
     for interrupted in [7, 8, 13] {
         let mut half = start();
-        half.step(interrupted);
+        half.step(interrupted).unwrap();
         let mut resumed = Run::resume(planned(ball(), &settings), &settings, &half.checkpoint()).unwrap();
         while !resumed.session().is_done() {
-            resumed.step(5);
+            resumed.step(5).unwrap();
         }
         assert_eq!(resumed.sculpture(), whole, "interrupted after {interrupted}");
     }

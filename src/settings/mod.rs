@@ -73,6 +73,12 @@ pub struct Setting {
     pub kind: Kind,
 }
 
+impl Setting {
+    fn impossible(&self, name: &str, text: &str) -> Error {
+        Error::setting(name, format!("{text:?} is not a possible value"), format!("give {}", self.kind.words()))
+    }
+}
+
 macro_rules! choices {
     ($($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal),* $(,)? })*) => {$(
         $(#[$doc])*
@@ -610,22 +616,23 @@ impl Settings {
             let nearest = nearest_name(&key);
             return Err(Error::setting(name, "there is no such setting", format!("did you mean {nearest}?")));
         };
-        let value = row.kind.parse(text).ok_or_else(|| {
-            Error::setting(name, format!("{text:?} is not a possible value"), format!("give {}", row.kind.words()))
-        })?;
-        let refuse =
-            |_| Error::setting(name, format!("{text:?} is not a possible value"), format!("give {}", row.kind.words()));
-        let mut all = serde_json::to_value(&*self).map_err(refuse)?;
+        let value = row.kind.parse(text).ok_or_else(|| row.impossible(name, text))?;
+        let mut all = serde_json::to_value(&*self).map_err(|_| row.impossible(name, text))?;
         all[row.name] = value;
-        *self = serde_json::from_value(all).map_err(refuse)?;
+        *self = serde_json::from_value(all).map_err(|_| row.impossible(name, text))?;
         Ok(())
     }
 
-    /// Checks what single ranges cannot say.
+    /// Checks every range, and what single ranges cannot say.
     ///
     /// # Errors
-    /// [`Error::Setting`] when settings contradict each other.
+    /// [`Error::Setting`] for a value out of its range, and when settings contradict each other.
     pub fn check(&self) -> Result<()> {
+        let texts = self.to_texts();
+        for row in TABLE {
+            let text = texts.get(row.name).map_or("", String::as_str);
+            row.kind.parse(text).ok_or_else(|| row.impossible(row.name, text))?;
+        }
         if self.min_width > self.max_width {
             return Err(Error::setting(
                 "min_width",
@@ -770,5 +777,19 @@ mod tests {
         let error = Settings::from_pairs([("itterations", "5")]).unwrap_err().to_string();
         assert!(error.contains("did you mean iterations?"), "{error}");
         assert!(Settings::from_pairs([("min-width", "9"), ("max-width", "2")]).is_err());
+    }
+
+    #[test]
+    fn what_was_set_by_hand_is_held_to_the_same_ranges() {
+        assert_eq!(Settings::default().check(), Ok(()));
+        for (name, settings) in [
+            ("size", Settings { size: 0, ..Settings::default() }),
+            ("smoothness", Settings { smoothness: f64::NAN, ..Settings::default() }),
+            ("smoothness", Settings { smoothness: -1.0, ..Settings::default() }),
+            ("max_width", Settings { max_width: f64::INFINITY, ..Settings::default() }),
+        ] {
+            let line = settings.check().unwrap_err().to_string();
+            assert!(line.starts_with(name) && line.contains("give a"), "{line}");
+        }
     }
 }

@@ -65,11 +65,17 @@ impl Task {
         for name in ["start", "arrange", "bend"] {
             let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
             if !choices.contains(&value.as_str()) {
-                let problem = format!("{value:?} is for another kind of task");
-                return Err(Error::setting(name, problem, format!("give {}", choices.join(" or "))));
+                return Err(self.refused(name, settings));
             }
         }
         Ok(())
+    }
+
+    /// Says that a choice is another task's.
+    pub(crate) fn refused(self, name: &'static str, settings: &Settings) -> Error {
+        let value = settings.to_texts().remove(name).unwrap_or_default();
+        let choices = self.choices(name).unwrap_or_default().join(" or ");
+        Error::setting(name, format!("{value:?} is for another kind of task"), format!("give {choices}"))
     }
 
     /// Its settings of a preset.
@@ -147,6 +153,7 @@ impl Task {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Start;
     use super::*;
 
     #[test]
@@ -167,6 +174,17 @@ mod tests {
             for &preset in Preset::ALL {
                 task.check(&task.preset(preset)).unwrap();
             }
+        }
+    }
+
+    #[test]
+    fn a_start_of_another_task_is_refused() {
+        for (task, start) in
+            [(Task::Multiview, Start::Contour), (Task::Stroke, Start::Circuit), (Task::Fill, Start::Hull)]
+        {
+            let settings = Settings { start, ..task.preset(Preset::Best) };
+            let line = task.check(&settings).unwrap_err().to_string();
+            assert!(line.starts_with("start: ") && line.contains("another kind of task; give "), "{line}");
         }
     }
 

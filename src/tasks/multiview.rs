@@ -238,7 +238,7 @@ impl Plan {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::for_circuit() };
                 start::circuit_path(targets, *half_extents_world, &tree, &CircuitOptions::default(), progress)
             }
-            Start::Tree | Start::Contour | Start::Stripes | Start::Tour => {
+            Start::Tree => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::default() };
                 let trail = TrailOptions { shorter: settings.shorter, ..TrailOptions::default() };
                 start::tree_path(targets, *half_extents_world, &tree, &trail, progress)
@@ -253,6 +253,7 @@ impl Plan {
                 let width_world = 3.0 * height_world / 512.0;
                 Ok(start::ball_path(count, 0.4 * height_world, width_world, false, settings.seed))
             }
+            Start::Contour | Start::Stripes | Start::Tour => Err(Task::Multiview.refused("start", settings)),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::fit::event_reports;
 use super::saved::SavedRun;
+use crate::Result;
 use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
 use crate::optimize::{Event, Place, Seen, Session, wait};
 use crate::sculpture::{MadeWith, Sculpture, render};
@@ -81,34 +82,39 @@ impl<J: Job> Run<J> {
     }
 
     /// Does up to `count` more iterations and says what happened. To pause, stop calling; to cancel, drop the run.
-    pub fn step(&mut self, count: usize) -> Vec<Event> {
+    ///
+    /// # Errors
+    /// Where the task's next views cannot be fitted; the wire so far is still there.
+    pub fn step(&mut self, count: usize) -> Result<Vec<Event>> {
         wait(self.step_async(count))
     }
 
     /// [`Run::step`] where the thread has other things to do while a device computes.
-    pub async fn step_async(&mut self, count: usize) -> Vec<Event> {
+    ///
+    /// # Errors
+    /// Likewise.
+    pub async fn step_async(&mut self, count: usize) -> Result<Vec<Event>> {
         let mut events = Vec::new();
         let mut left = count.min(self.session.total() - self.session.iteration());
         while left > 0 {
-            let batch = left.min(self.look());
+            let batch = left.min(self.look()?);
             events.extend(self.session.step_async(batch).await);
             left -= batch;
         }
-        events
+        Ok(events)
     }
 
     /// Changes the views if that is due, and says for how many iterations they stay.
-    fn look(&mut self) -> usize {
+    fn look(&mut self) -> Result<usize> {
         let every = self.job.change_views_every(&self.settings);
         if every == 0 {
-            return usize::MAX;
+            return Ok(usize::MAX);
         }
         let iteration = self.session.iteration();
         if iteration > 0 && iteration.is_multiple_of(every) {
-            let kept = self.session.set_views(self.job.views_from(iteration, &self.settings));
-            debug_assert!(kept.is_ok(), "{kept:?}");
+            self.session.set_views(self.job.views_from(iteration, &self.settings))?;
         }
-        every - iteration % every
+        Ok(every - iteration % every)
     }
 
     pub(super) fn job(&self) -> &J {

@@ -247,10 +247,11 @@ impl Plan {
                 }
             }
             // The points of the tour are the control points (the paper's choice).
-            Start::Hull | Start::Circuit | Start::Tree | Start::Stripes | Start::Tour => {
-                Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?
-            }
+            Start::Hull => Wire::open_uniform(self.solid.tour(count, tour_width, settings.seed).points)?,
             Start::Ball => Wire::open_uniform(start::ball_path(count, 0.8, tour_width, false, settings.seed).points)?,
+            Start::Circuit | Start::Tree | Start::Stripes | Start::Tour => {
+                return Err(Task::Stroke.refused("start", settings));
+            }
         };
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }

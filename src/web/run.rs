@@ -180,14 +180,14 @@ impl Run {
 
     /// Up to `count` more iterations; what happened, as JSON. Returns early when the fit moves elsewhere: so many may take
     /// long there.
-    pub async fn step(&mut self, count: usize) -> String {
+    pub async fn step(&mut self, count: usize) -> Result<String, JsError> {
         let (end, backend) = (self.iteration() + count, self.session().place().backend);
         let mut events = Vec::new();
         while self.iteration() < end.min(self.iterations()) && self.session().place().backend == backend {
             let at_once = MOST_AT_ONCE.min(end - self.iteration());
-            events.extend(any!(&mut self.0, run => run.step_async(at_once).await));
+            events.extend(any!(&mut self.0, run => run.step_async(at_once).await)?);
         }
-        json(&events)
+        Ok(json(&events))
     }
 
     /// Where the fit is computed now, and why, as JSON: see [`super::place`].

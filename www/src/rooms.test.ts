@@ -14,8 +14,10 @@ const MAY: Readonly<Record<string, readonly string[]>> = {
   ui: ["view", "state", "engine", "embed"],
 };
 
-const imports = (file: string): string[] =>
-  [...readFileSync(file, "utf8").matchAll(/(?:from|import)\s+"(\.[^"]+)"/g)].map((match) => relative(SRC, resolve(file, "..", match[1]!)));
+/** Also those that come later (`import("…")`) and those of workers (`new URL("…", import.meta.url)`). */
+const named = (text: string): string[] => [...text.matchAll(/\b(?:from|import|URL)\s*\(?\s*"(\.[^"]+)"/g)].map((match) => match[1]!);
+
+const imports = (file: string): string[] => named(readFileSync(file, "utf8")).map((path) => relative(SRC, resolve(file, "..", path)));
 
 function forbidden(room: string, imported: readonly string[]): string[] {
   return imported.filter((path) => {
@@ -41,4 +43,6 @@ describe.each(Object.keys(MAY))("%s", (room) => {
 
 it("would notice an arrow that points upward", () => {
   expect(forbidden("embed", ["embed/gl", "state/store"])).toEqual(["state/store"]);
+  const text = `import { a } from "./a"; import "./b"; const c = await import("./c"); new Worker(new URL("./d.ts", import.meta.url)); type E = import("./e").E;`;
+  expect(named(text)).toEqual(["./a", "./b", "./c", "./d.ts", "./e"]);
 });

@@ -28,7 +28,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let Some(plan) = plan else { return Err(Error::output(out.display().to_string(), "stopped", "run it again")) };
     plan.notes().iter().for_each(|note| making.say(note));
     let mut run = Run::start(plan, &settings)?;
-    let time = making.fit(&mut run);
+    let time = making.fit(&mut run)?;
     let report = run.report(time, !run.session().is_done());
 
     let made = run.sculpture();

@@ -52,12 +52,12 @@ impl Making {
     }
 
     /// Fits to the end, or until somebody stops it, and says where the time went.
-    pub fn fit<J: Job>(&self, run: &mut Run<J>) -> TimeReport {
+    pub fn fit<J: Job>(&self, run: &mut Run<J>) -> Result<TimeReport> {
         let start_s = self.begin.elapsed().as_secs_f64();
         self.bar.set_length(run.session().total() as u64);
         self.bar.set_message("Fitting");
         while !run.session().is_done() && !self.is_stopped() {
-            run.step(SLICE);
+            run.step(SLICE)?;
             self.bar.set_position(run.session().iteration() as u64);
         }
         if let Some(trouble) = run.session().engine_trouble() {
@@ -67,7 +67,7 @@ impl Making {
         let total_s = self.begin.elapsed().as_secs_f64();
         let (optimize_s, iterations) = (total_s - start_s, run.session().iteration());
         let ms_per_iteration = 1000.0 * optimize_s / iterations.max(1) as f64;
-        TimeReport { total_s, start_s, optimize_s, iterations, ms_per_iteration }
+        Ok(TimeReport { total_s, start_s, optimize_s, iterations, ms_per_iteration })
     }
 }
 

@@ -30,7 +30,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         bar.set_position((share * 100.0) as u64);
         !making.is_stopped()
     })?;
-    let time = making.fit(&mut run);
+    let time = making.fit(&mut run)?;
     let report = run.report(time, !run.session().is_done());
     save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
     save_pictures(&folder, &run)?;

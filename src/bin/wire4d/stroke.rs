@@ -21,7 +21,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     plan.notes().iter().for_each(|note| making.say(note));
     making.bar.set_message("Laying a first wire");
     let mut run = Run::start(plan, &settings)?;
-    let time = making.fit(&mut run);
+    let time = making.fit(&mut run)?;
     let report = run.report(time, !run.session().is_done());
 
     let made = run.sculpture();

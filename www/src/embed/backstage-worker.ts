@@ -26,7 +26,8 @@ onmessage = ({ data }: MessageEvent<Order>) => {
     open(data.open, data.look);
   } else if ("picture" in data) {
     const { picture, widthPx, heightPx } = data;
-    scene?.picture(widthPx, heightPx).then(
+    const drawn = scene ? scene.picture(widthPx, heightPx) : Promise.reject(new Error("there is no scene"));
+    drawn.then(
       (blob) => tell({ picture, blob }),
       () => tell({ picture, blob: null }),
     );

@@ -44,19 +44,28 @@ export function inWorker(worker: Worker, canvas: HTMLCanvasElement, look: Look, 
   const waiting = new Map<number, { resolve(picture: Blob): void; reject(reason: Error): void }>();
   let pictures = 0;
   const send = (order: Order, transfer: Transferable[] = []): void => worker.postMessage(order, transfer);
+  /** Nobody is left to draw what was asked for. */
+  const giveUp = (): void => {
+    for (const { reject } of waiting.values()) reject(undrawn());
+    waiting.clear();
+  };
+  const fail = (): void => {
+    giveUp();
+    unavailable();
+  };
   worker.onmessage = ({ data }: MessageEvent<Report>) => {
     if ("event" in data) {
       (events[data.event] as (given: unknown) => void)(data.given[0]);
     } else if ("unavailable" in data) {
-      unavailable();
+      fail();
     } else {
-      const { resolve, reject } = waiting.get(data.picture)!;
+      const { resolve, reject } = waiting.get(data.picture) ?? {};
       waiting.delete(data.picture);
-      if (data.blob) resolve(data.blob);
-      else reject(new Error("the picture could not be drawn"));
+      if (data.blob) resolve?.(data.blob);
+      else reject?.(undrawn());
     }
   };
-  worker.onerror = unavailable;
+  worker.onerror = fail;
   const offscreen = canvas.transferControlToOffscreen();
   send({ open: offscreen, look }, [offscreen]);
   return {
@@ -66,6 +75,11 @@ export function inWorker(worker: Worker, canvas: HTMLCanvasElement, look: Look, 
         waiting.set(++pictures, { resolve, reject });
         send({ picture: pictures, widthPx, heightPx });
       }),
-    dispose: () => worker.terminate(),
+    dispose: () => {
+      worker.terminate();
+      giveUp();
+    },
   };
 }
+
+const undrawn = (): Error => new Error("the picture could not be drawn");
