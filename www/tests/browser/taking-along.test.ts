@@ -8,6 +8,7 @@ import { inspect } from "./a11y";
 import { choose, DRAWINGS, give, idle, phase, requestsElsewhere, runButton, SHOTS, visit, type Visit } from "./browser";
 import { downloaded, dropFiles } from "./gestures";
 import { validateGlb } from "./glb";
+import { solidOfGlb, solidOfStl } from "./three";
 import { padsReady, previewed } from "./pads";
 import { openSite } from "./site";
 
@@ -61,6 +62,18 @@ describe("as a file", () => {
     expect(Math.max(...high.map((x, c) => x - low[c]!))).toBeCloseTo(100, 0);
   });
 
+  it("GLB and STL, which three.js reads as one solid, upright in each format's own way", async () => {
+    const glb = await solidOfGlb((await save(/^GLB/)).bytes);
+    const stl = solidOfStl((await save(/^STL/)).bytes);
+    expect(glb.triangles).toBeGreaterThan(1000);
+    expect(stl.triangles).toBeGreaterThan(1000);
+    const mm = 100 / Math.max(...glb.extents);
+    // Up is along y in GLB and along z in STL.
+    const [across, up, deep] = glb.extents.map((extent) => extent * mm);
+    for (const [c, extent] of [across!, deep!, up!].entries()) expect(Math.abs(stl.extents[c]! - extent)).toBeLessThan(2.5);
+    expect(Math.abs(up! - deep!)).toBeGreaterThan(5);
+  });
+
   it("OBJ, a solid of vertices and faces", async () => {
     const text = (await save(/^OBJ/)).bytes.toString();
     const vertices = text.match(/^v /gm)!.length;
@@ -85,6 +98,27 @@ describe("as a file", () => {
       seen.push(bytes.toString());
     }
     expect(seen[0]).not.toBe(seen[1]);
+  });
+
+  it("centre lines of that view, one path in real size", async () => {
+    await page.getByLabel("View of the SVG").selectOption("side");
+    const { name, bytes } = await save(/^Centre lines/);
+    expect(name).toMatch(/-side-lines\.svg$/);
+    const drawn = await page.evaluate((text) => {
+      const svg = new DOMParser().parseFromString(text, "image/svg+xml").documentElement as unknown as SVGSVGElement;
+      document.body.append(svg);
+      const paths = [...svg.querySelectorAll("path")];
+      const { width, height } = svg.viewBox.baseVal;
+      const answer = { paths: paths.length, lengthPx: paths[0]!.getTotalLength(), sides: [svg.getAttribute("width"), svg.getAttribute("height")], box: [width, height] };
+      svg.remove();
+      return answer;
+    }, bytes.toString());
+    expect(drawn.paths).toBe(1);
+    const sides = drawn.sides.map((side) => Number(/^([\d.]+)mm$/.exec(side!)![1]));
+    expect(Math.max(...sides)).toBeCloseTo(100, 1);
+    expect(sides[0]! / sides[1]!).toBeCloseTo(drawn.box[0]! / drawn.box[1]!, 2);
+    // The wire goes over a picture of 256 px several times.
+    expect(drawn.lengthPx).toBeGreaterThan(800);
   });
 
   it("PNG of the stage, large and not blank", async () => {
