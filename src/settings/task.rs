@@ -1,6 +1,6 @@
 //! What each task has of the table: which settings, which of their choices, and which presets.
 
-use super::{Group, Kind, OnOff, Preset, Setting, Settings, TABLE, Width};
+use super::{Kind, OnOff, Preset, Setting, Settings, TABLE, Width};
 use crate::{Error, Result};
 
 /// A task with settings of its own.
@@ -21,37 +21,19 @@ const WIDEST_STRAND_PX: f64 = 24.0;
 impl Task {
     /// The settings it has, in the order people should see them, with the choices that it has.
     pub fn rows(self) -> impl Iterator<Item = Setting> {
-        TABLE.iter().filter_map(move |row| match (self, self.choices(row.name)) {
-            (_, Some(choices)) => Some(Setting { kind: Kind::Choice { choices }, ..*row }),
-            (_, None) => self.has(row).then_some(*row),
+        TABLE.iter().filter(move |row| self.has(row)).map(move |row| match self.choices(row) {
+            Some(choices) => Setting { kind: Kind::Choice { choices }, ..*row },
+            None => *row,
         })
     }
 
     fn has(self, row: &Setting) -> bool {
-        match (row.name, self) {
-            // A curve that covers a mesh chooses its own points, and only drawings grow a tree or a hull in a grid.
-            ("spacing", Task::Fill) | ("shorter" | "grid", Task::Stroke | Task::Fill) => return false,
-            _ => {}
-        }
-        match (self, row.group) {
-            (_, Group::Run | Group::Wire | Group::Fit | Group::Expert) => true,
-            (Task::Multiview, group) => group == Group::Views,
-            (Task::Stroke, group) => group == Group::Stroke,
-            (Task::Fill, group) => group == Group::Surface,
-        }
+        row.of.iter().any(|of| of.task == self)
     }
 
-    /// The choices it has where they are not the table's. Where there is nothing to agree with, only that
-    /// can be said.
-    fn choices(self, name: &str) -> Option<&'static [&'static str]> {
-        match (self, name) {
-            (Task::Multiview, "start") => Some(&["circuit", "tree", "hull", "ball"]),
-            (Task::Stroke, "start") => Some(&["contour", "hull", "ball"]),
-            (Task::Fill, "start") => Some(&["stripes", "tour"]),
-            (Task::Stroke | Task::Fill, "arrange") => Some(&["off"]),
-            (Task::Stroke | Task::Fill, "bend") => Some(&["none"]),
-            _ => None,
-        }
+    /// The choices it has where they are not the table's.
+    fn choices(self, row: &Setting) -> Option<&'static [&'static str]> {
+        row.of.iter().find(|of| of.task == self)?.choices
     }
 
     /// Refuses values out of range, and choices of another task.
@@ -62,19 +44,18 @@ impl Task {
         settings.check()?;
         self.check_smooth(settings)?;
         let values = settings.to_texts();
-        for name in ["start", "arrange", "bend"] {
-            let (Some(choices), Some(value)) = (self.choices(name), values.get(name)) else { continue };
-            if !choices.contains(&value.as_str()) {
-                return Err(self.refused(name, settings));
-            }
-        }
-        Ok(())
+        let foreign = |row: &&Setting| {
+            let value = values.get(row.name).map_or("", String::as_str);
+            self.choices(row).is_some_and(|choices| !choices.contains(&value))
+        };
+        TABLE.iter().find(foreign).map_or(Ok(()), |row| Err(self.refused(row.name, settings)))
     }
 
     /// Says that a choice is another task's.
     pub(crate) fn refused(self, name: &'static str, settings: &Settings) -> Error {
         let value = settings.to_texts().remove(name).unwrap_or_default();
-        let choices = self.choices(name).unwrap_or_default().join(" or ");
+        let row = TABLE.iter().find(|row| row.name == name);
+        let choices = row.and_then(|row| self.choices(row)).unwrap_or_default().join(" or ");
         Error::setting(name, format!("{value:?} is for another kind of task"), format!("give {choices}"))
     }
 
@@ -95,7 +76,7 @@ impl Task {
     pub fn settings<'a>(self, pairs: impl IntoIterator<Item = (&'a str, &'a str)> + Clone) -> Result<Settings> {
         for (name, _) in pairs.clone() {
             let is_named = |row: &&Setting| row.name == name.replace('-', "_");
-            let foreign = |row: &Setting| !self.has(row) && self.choices(row.name).is_none();
+            let foreign = |row: &Setting| !self.has(row);
             if TABLE.iter().find(is_named).is_some_and(foreign) {
                 return Err(Error::setting(
                     name,

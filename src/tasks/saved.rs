@@ -1,7 +1,7 @@
 //! A run as bytes: the session's state and what it must be resumed with.
 
 use crate::optimize::Checkpoint;
-use crate::settings::Settings;
+use crate::settings::{Affects, Settings, TABLE};
 use crate::view::Target;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
@@ -10,41 +10,6 @@ use std::collections::BTreeMap;
 const HEADING: [u8; 4] = *b"W4R\x02";
 /// Heading and checksum.
 const HEADING_BYTES: usize = 8;
-
-/// Settings that make the pictures that are fitted: a run with others is another run.
-const PICTURES: &[&str] = &[
-    "size",
-    "arrange",
-    "may_swap",
-    "may_mirror",
-    "may_turn",
-    "min_stroke",
-    "max_stretch",
-    "shading",
-    "object",
-    "hatching",
-    "saliency",
-    "gloss",
-    "hatch",
-    "outline",
-    "tone",
-    "edges",
-    "roundness",
-    "most_depth",
-    "relief",
-    "side_views",
-    "density",
-    "style_strength",
-    "style_size",
-    "motif",
-    "views_at_once",
-    "control_points",
-    "min_width",
-    "max_width",
-    "seed",
-];
-/// Settings that say what else a run's state consists of.
-const STATE: &[&str] = &["form", "bend"];
 
 /// What a run leaves behind.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -95,20 +60,23 @@ impl SavedRun {
     /// [`Error::Input`] for other drawings, [`Error::Setting`] for a setting that makes it another run.
     pub(super) fn for_run(self, targets: &[Target], settings: &Settings) -> Result<Checkpoint> {
         let now = settings.to_texts();
-        let changed = |name: &&&str| self.settings.get(**name) != now.get(**name);
+        let changed = |affected: Affects| {
+            let differs = |name: &str| self.settings.get(name) != now.get(name);
+            TABLE.iter().find(|row| row.affects.contains(&affected) && differs(row.name)).map(|row| row.name)
+        };
         let refuse = |name: &str| {
             let text = |of: &BTreeMap<String, String>| of.get(name).cloned().unwrap_or_default();
             let (before, now) = (text(&self.settings), text(&now));
             let remedy = format!("set it back to {before}, or start a new run");
             Error::setting(name, format!("the run was begun with {before} and cannot go on with {now}"), remedy)
         };
-        if let Some(name) = STATE.iter().find(changed) {
+        if let Some(name) = changed(Affects::State) {
             return Err(refuse(name));
         }
         if self.pictures != fingerprint(targets) {
-            return Err(PICTURES.iter().find(changed).map_or_else(
+            return Err(changed(Affects::Pictures).map_or_else(
                 || Error::input("checkpoint", "it is of other drawings", "bring those back, or start a new run"),
-                |name| refuse(name),
+                refuse,
             ));
         }
         let done = self.session.iteration();

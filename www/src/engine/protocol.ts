@@ -282,6 +282,9 @@ export interface ViewMeasures {
 }
 
 /** A row of the core's settings table. */
+/** What a setting changes: see the core's `Affects`. */
+export type Affects = "course" | "pictures" | "state" | "curve" | "styled-curve" | "look" | "styled-look";
+
 export interface SettingRow {
   readonly name: string;
   readonly group: "run" | "wire" | "views" | "fit" | "stroke" | "surface" | "expert";
@@ -291,6 +294,7 @@ export interface SettingRow {
   readonly min?: number;
   readonly max?: number;
   readonly choices?: readonly string[];
+  readonly affects: readonly Affects[];
 }
 
 /** The core's settings: the table, and each preset's value for every row, as text. */

@@ -6,10 +6,10 @@ const NONE = { shape: null, style: null };
 
 const table: SettingsTable = {
   rows: [
-    { name: "preset", group: "run", unit: "", help: "", kind: "choice", choices: ["best", "fast"] },
-    { name: "seed", group: "run", unit: "", help: "", kind: "integer", min: 0, max: 1000 },
-    { name: "smoothness", group: "fit", unit: "times", help: "", kind: "number", min: 0, max: 10 },
-    { name: "refine", group: "fit", unit: "", help: "", kind: "switch" },
+    { name: "preset", group: "run", unit: "", help: "", kind: "choice", choices: ["best", "fast"], affects: ["course"] },
+    { name: "seed", group: "run", unit: "", help: "", kind: "integer", min: 0, max: 1000, affects: ["course"] },
+    { name: "smoothness", group: "fit", unit: "times", help: "", kind: "number", min: 0, max: 10, affects: ["course"] },
+    { name: "refine", group: "fit", unit: "", help: "", kind: "switch", affects: ["course"] },
   ],
   presets: {
     best: { preset: "best", seed: "0", smoothness: "1", refine: "false" },

@@ -6,7 +6,7 @@ import type { Bench, StudioState } from "../studio-state";
 import { Options } from "./options";
 
 const row = (name: string, group: SettingRow["group"], more: Partial<SettingRow> = {}): SettingRow => ({
-  name, group, unit: "", help: "", kind: "number", min: 0, max: 1000, ...more,
+  name, group, unit: "", help: "", kind: "number", min: 0, max: 1000, affects: ["course"], ...more,
 });
 const presets = { best: { preset: "best", seed: "0", control_points: "0", min_width: "1", max_width: "20", spacing: "4", roundness: "0.9" } };
 const rows = [

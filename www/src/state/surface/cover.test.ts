@@ -1,10 +1,20 @@
 import { expect, it } from "vitest";
-import { curveKey, lookKey, solidName, wordsOf, type Cover } from "./cover";
+import type { Affects } from "../../engine/protocol";
+import { curveKey, lookKey, solidName, wordsOf, type Cover, type Settled } from "./cover";
 
 const vase: Cover = { solid: { shape: "vase" }, style: "waves" };
 const own: Cover = { solid: { key: "k1", name: "bunny.obj", file: new Blob() }, style: null };
-const key = (cover: Cover, changed: Readonly<Record<string, string>> = {}) =>
-  curveKey(cover, (name) => changed[name] ?? { curve_spacing: "0.06", flow: "smooth", start: "stripes", seed: "0", density: "0.5", style_size: "0.9", motif: "box" }[name] ?? "");
+/** As in the core's table. */
+const AFFECTS: Readonly<Record<string, readonly Affects[]>> = {
+  curve_spacing: ["course", "curve"], flow: ["course", "curve"], start: ["course", "curve"], seed: ["pictures", "curve"],
+  density: ["pictures", "look"], style_strength: ["pictures", "styled-look"],
+  style_size: ["pictures", "styled-curve", "styled-look"], motif: ["pictures", "styled-curve", "styled-look"],
+};
+const settled = (changed: Readonly<Record<string, string>>): Settled => {
+  const value = (name: string): string => changed[name] ?? "0";
+  return { value, affecting: (what) => Object.keys(AFFECTS).filter((name) => AFFECTS[name]!.includes(what)).map(value) };
+};
+const key = (cover: Cover, changed: Readonly<Record<string, string>> = {}) => curveKey(cover, settled({ flow: "smooth", ...changed }));
 
 it("tells apart what makes another curve, and nothing else", () => {
   for (const [name, value] of [["curve_spacing", "0.1"], ["flow", "along"], ["start", "tour"], ["seed", "1"]] as const) expect(key(vase, { [name]: value })).not.toBe(key(vase));
@@ -14,7 +24,7 @@ it("tells apart what makes another curve, and nothing else", () => {
 });
 
 it("tells apart wires that only look another way, and minds the style's settings where there is one", () => {
-  const look = (cover: Cover, changed: Readonly<Record<string, string>> = {}) => lookKey(cover, (name) => changed[name] ?? "1");
+  const look = (cover: Cover, changed: Readonly<Record<string, string>> = {}) => lookKey(cover, settled(changed));
   const plain: Cover = { ...vase, style: null };
   for (const name of ["density", "style_strength", "motif"]) expect(look(vase, { [name]: "2" })).not.toBe(look(vase));
   expect(look({ ...vase, style: "petals" })).not.toBe(look(vase));

@@ -1,6 +1,6 @@
 /** What a person has covered: a shape, and the style that the wire takes on. Immutable, without elements. */
 
-import { PATTERNS, SHAPES, type Covered, type PatternName, type ShapeName, type Solid } from "../../engine/protocol";
+import { PATTERNS, SHAPES, type Affects, type Covered, type PatternName, type ShapeName, type Solid } from "../../engine/protocol";
 import type { KeptPicture } from "../drawing/paper";
 import { pixelsOf } from "../drawing/picture";
 
@@ -48,21 +48,20 @@ export async function coveredOf({ solid, style }: Cover): Promise<Covered> {
   return { solid, style: style === null || typeof style === "string" ? style : await pixelsOf(style) };
 }
 
-/** The settings that say where the curve runs; the others only bend and thicken it. */
-const CURVE_SETTINGS = ["curve_spacing", "flow", "start", "seed"] as const;
-/** Those that do so where lines follow the style. */
-const STYLE_SETTINGS = ["style_size", "motif"] as const;
-
-/** Those that bend and thicken the wire on its way; without a style only the first. */
-const LOOK_SETTINGS = ["density", "style_strength", "style_size", "motif"] as const;
-
-/** Tells apart wires on the same curve. */
-export function lookKey({ style }: Cover, value: (name: string) => string): string {
-  return [styleKey(style), ...LOOK_SETTINGS.slice(0, style === null ? 1 : undefined).map(value)].join("|");
+/** What the settings are. */
+export interface Settled {
+  value(name: string): string;
+  /** Values of the settings that change something. */
+  affecting(what: Affects): readonly string[];
 }
 
-/** Tells curves apart: two covers with the same one have the same curve. `value` gives a setting's value. */
-export function curveKey({ solid, style }: Cover, value: (name: string) => string): string {
-  const styled = value("flow") === "style" ? [styleKey(style), ...STYLE_SETTINGS.map(value)] : [];
-  return [solidKey(solid), ...CURVE_SETTINGS.map(value), ...styled].join("|");
+/** Tells apart wires on the same curve. */
+export function lookKey({ style }: Cover, { affecting }: Settled): string {
+  return [styleKey(style), ...affecting("look"), ...(style === null ? [] : affecting("styled-look"))].join("|");
+}
+
+/** Tells curves apart: two covers with the same one have the same curve. */
+export function curveKey({ solid, style }: Cover, { value, affecting }: Settled): string {
+  const styled = value("flow") === "style" ? [styleKey(style), ...affecting("styled-curve")] : [];
+  return [solidKey(solid), ...affecting("curve"), ...styled].join("|");
 }

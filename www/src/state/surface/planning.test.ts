@@ -1,5 +1,5 @@
 import { beforeEach, expect, it } from "vitest";
-import type { SettingsTable } from "../../engine/protocol";
+import type { SettingRow, SettingsTable } from "../../engine/protocol";
 import { BLANK, withDesk, type Doc, type Made } from "../keeping/document";
 import type { Options } from "../settings/options";
 import type { Bench, StudioState } from "../studio-state";
@@ -7,7 +7,8 @@ import type { Cover } from "./cover";
 import { Planning } from "./planning";
 
 const of = (shape: "vase" | "knot"): Cover => ({ solid: { shape }, style: null });
-const table: SettingsTable = { rows: [], presets: { best: { curve_spacing: "0.06" } } };
+const row: SettingRow = { name: "curve_spacing", group: "surface", unit: "", help: "", kind: "number", min: 0, max: 1, affects: ["course", "curve"] };
+const table: SettingsTable = { rows: [row], presets: { best: { curve_spacing: "0.06" } } };
 const madeOf = (cover: Cover | null): Made => ({ track: cover && { given: { job: "fill", cover }, settings: {} } }) as Made;
 
 let doc: Doc;

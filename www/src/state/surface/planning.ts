@@ -3,11 +3,11 @@
 import type { WireShape } from "../../embed/shape";
 import { presetOf } from "../address/fragment";
 import { deskOf, type Made } from "../keeping/document";
-import type { SettingValues } from "../../engine/protocol";
+import type { SettingsTable, SettingValues } from "../../engine/protocol";
 import type { Coverer } from "../run/coverer";
 import type { Options } from "../settings/options";
 import { tableOf, type Bench } from "../studio-state";
-import { curveKey, lookKey, solidKey, type Cover } from "./cover";
+import { curveKey, lookKey, solidKey, type Cover, type Settled } from "./cover";
 
 /** What a wire is made of. */
 interface Keys {
@@ -16,7 +16,12 @@ interface Keys {
   readonly look: string;
 }
 
-const keysOf = (cover: Cover, value: (name: string) => string): Keys => ({ solid: solidKey(cover.solid), curve: curveKey(cover, value), look: lookKey(cover, value) });
+const keysOf = (cover: Cover, settled: Settled): Keys => ({ solid: solidKey(cover.solid), curve: curveKey(cover, settled), look: lookKey(cover, settled) });
+
+/** The settings as `value` gives them. */
+function settledBy({ rows }: SettingsTable, value: (name: string) => string): Settled {
+  return { value, affecting: (what) => rows.filter(({ affects }) => affects.includes(what)).map(({ name }) => value(name)) };
+}
 
 export class Planning {
   /** Of wires that were made. */
@@ -49,7 +54,7 @@ export class Planning {
       return;
     }
     if (this.awaited && !this.awaited.settings) this.awaited = { ...this.awaited, settings };
-    const now = keysOf(cover, (name) => this.options.value(name));
+    const now = keysOf(cover, settledBy(tableOf(store.get())!, (name) => this.options.value(name)));
     const made = ahead ? this.keysOfAwaited(now) : this.keysOfMade(now);
     const planned = made?.curve !== now.curve;
     this.plan(planned, !planned && made?.look !== now.look);
@@ -100,7 +105,8 @@ export class Planning {
   }
 
   private keysOf(cover: Cover, settings: SettingValues): Keys {
-    const preset = presetOf(settings, tableOf(this.bench.store.get())!);
-    return keysOf(cover, (name) => settings[name] ?? preset[name] ?? "");
+    const table = tableOf(this.bench.store.get())!;
+    const preset = presetOf(settings, table);
+    return keysOf(cover, settledBy(table, (name) => settings[name] ?? preset[name] ?? ""));
   }
 }

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { SettingRow } from "../../engine/protocol";
 import { isSwitch, refusal, switched } from "./setting-value";
 
-const row = (more: Partial<SettingRow>): SettingRow => ({ name: "x", group: "run", unit: "", help: "", kind: "integer", min: 32, max: 2048, ...more });
+const row = (more: Partial<SettingRow>): SettingRow => ({ name: "x", group: "run", unit: "", help: "", kind: "integer", min: 32, max: 2048, affects: ["course"], ...more });
 
 it("refuses what is out of range and says the range", () => {
   expect(refusal(row({}), "256")).toBe("");

@@ -22,6 +22,7 @@ const HIDDEN_ROW: SettingRow = {
   unit: "",
   help: "A paused run goes on by itself when the tab is back.",
   kind: "choice",
+  affects: [],
   choices: WHEN_HIDDEN,
 };
 
