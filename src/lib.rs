@@ -19,8 +19,8 @@
 pub mod files;
 
 pub use wire4d_core::{Error, Result, error, mesh, objective, optimize, raster, rng, view, wire};
+pub use wire4d_model as model;
 
-pub mod model;
 pub mod picture;
 pub mod scene;
 pub mod start;

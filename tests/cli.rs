@@ -309,6 +309,8 @@ fn a_mesh_is_covered_with_everything_beside_it() {
     assert!(help.contains("--flow <smooth|along") && !help.contains("--bend <"), "{help}");
     refused(&fill("teapot", "bad", &[]), "give a mesh or sphere, torus, knot, vase, creature");
     refused(&fill("torus", "bad", &["--style", "plaid"]), "petals");
+    refused(&fill("torus", "bad", &["--up", "z"]), "--up");
+    refused(&fill(text(&at("box.obj")), "bad", &["--up", "x"]), "--up");
     refused(&fill("torus", "bad", &["--style", text(&at("nowhere.png"))]), "nowhere.png");
     refused(&fill("torus", "bad", &["--curve-spacing", "0.001"]), "curve_spacing");
     refused(&fill(text(&at("dots.png")), "bad", &[]), "dots.png");

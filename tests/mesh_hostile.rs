@@ -8,7 +8,7 @@ use wire4d::model::read_mesh;
 
 /// What a mended mesh promises.
 fn check(name: &str, bytes: &[u8]) {
-    let Ok(read) = read_mesh(name, bytes) else { return };
+    let Ok(read) = read_mesh(name, bytes, None) else { return };
     let mesh = &read.mesh;
     let mut most: f64 = 0.0;
     for p in mesh.positions() {
@@ -26,6 +26,26 @@ fn check(name: &str, bytes: &[u8]) {
     assert_eq!(open, read.open_edges);
     assert!(mesh.area() > 0.0 && read.parts > 0);
     assert!(Nearest::new(mesh).nearest(&[0.3, 0.1, 0.2]).distance.is_finite());
+}
+
+/// Files of the kinds that people have, with their names.
+fn field() -> &'static [(String, Vec<u8>)] {
+    static FILES: std::sync::OnceLock<Vec<(String, Vec<u8>)>> = std::sync::OnceLock::new();
+    FILES.get_or_init(|| {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/field");
+        let mut files = Vec::new();
+        for kind in std::fs::read_dir(folder).unwrap().flatten().filter(|kind| kind.path().is_dir()) {
+            for file in std::fs::read_dir(kind.path()).unwrap().flatten() {
+                let name = file.file_name().to_string_lossy().into_owned();
+                if [".glb", ".stl", ".ply", ".obj", ".3mf", ".model"].iter().any(|ending| name.ends_with(ending)) {
+                    files.push((name, std::fs::read(file.path()).unwrap()));
+                }
+            }
+        }
+        assert!(files.len() > 30, "the files were not found");
+        files.sort();
+        files
+    })
 }
 
 proptest::proptest! {
@@ -57,6 +77,30 @@ proptest::proptest! {
     }
 
     #[test]
+    fn changed_files_of_the_field(
+        file in 0..1000usize,
+        changes in proptest::collection::vec((0.0..1.0f64, proptest::prelude::any::<u8>(), 0..5usize), 0..9),
+        length in 0.5..1.5f64,
+    ) {
+        let files = field();
+        let (name, mut bytes) = files[file % files.len()].clone();
+        for (place, value, what) in changes {
+            // Where a glTF says what it holds.
+            let reach = if place < 0.7 { bytes.len().min(1200) } else { bytes.len() };
+            let at = ((place / 0.7 % 1.0) * reach as f64) as usize;
+            match what {
+                0 => bytes[at] = value,
+                1 => bytes[at] = b"0123456789-.,e \n"[value as usize % 16],
+                2 => { bytes.remove(at); }
+                3 => bytes.insert(at, b'9'),
+                _ => bytes.insert(at, value),
+            }
+        }
+        bytes.truncate((length * bytes.len() as f64) as usize);
+        check(&name, &bytes);
+    }
+
+    #[test]
     fn any_triangles(corners in proptest::collection::vec(0..9u32, 3..120), flat: bool) {
         let point = |i: u32| [f64::from(i % 3), f64::from(i / 3), if flat { 0.0 } else { f64::from(i * i % 5) }];
         let positions: Vec<[f64; 3]> = (0..9).map(point).collect();
@@ -65,8 +109,8 @@ proptest::proptest! {
     }
 
     #[test]
-    fn any_bytes(bytes in proptest::collection::vec(proptest::prelude::any::<u8>(), 0..300), start in 0..6usize) {
-        let starts: [&[u8]; 6] = [b"", b"ply\nformat ascii 1.0\n", b"glTF\x02\0\0\0", b"{\"meshes\":[", b"solid ", b"v 1 2 3\nf "];
+    fn any_bytes(bytes in proptest::collection::vec(proptest::prelude::any::<u8>(), 0..300), start in 0..8usize) {
+        let starts: [&[u8]; 8] = [b"", b"ply\nformat ascii 1.0\n", b"glTF\x02\0\0\0", b"{\"meshes\":[", b"solid ", b"v 1 2 3\nf ", b"PK\x03\x04", b"<model xmlns=\"3dmanufacturing\"><object id=\"1\"><"];
         for name in ["a.stl", "a"] {
             check(name, &[starts[start], &bytes].concat());
         }

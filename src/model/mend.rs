@@ -2,8 +2,8 @@
 
 use super::sides::{OPEN, drop_doubles, link, orient, separate, thin_out};
 use super::weld::weld;
-use crate::mesh::Mesh;
-use crate::mesh::fit_unit_ball;
+use crate::mesh::{Mesh, fit_unit_ball};
+use crate::read::{Soup, Up};
 use crate::{Error, Result};
 use glam::DVec3;
 
@@ -22,22 +22,17 @@ pub struct Mended {
     pub parts: usize,
     /// Edges with one triangle only: 0 if the mesh is closed.
     pub open_edges: usize,
+    /// The axis of the file that was taken for up; it is y here.
+    pub up: Up,
 }
 
-/// Triangles as read.
-#[derive(Debug, Default)]
-pub(super) struct Soup {
-    pub(super) positions: Vec<[f64; 3]>,
-    pub(super) triangles: Vec<[u32; 3]>,
-}
-
-/// Mends what `name` holds.
+/// Mends what `name` holds, in which `up` was up.
 ///
 /// # Errors
 /// [`Error::Input`] as [`Mesh::new`], and for triangles that all together have no area.
-pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
+pub(super) fn mend(name: &str, soup: Soup, up: Up) -> Result<Mended> {
     let (mut positions, mut triangles) = Mesh::new(name, soup.positions, soup.triangles)?.into_parts();
-    let mut notes = Vec::new();
+    let mut notes = soup.notes;
     let flat = || Err(Error::input(name, "its triangles have no area", "give a mesh with a surface"));
     if !into_unit_box(&mut positions, &triangles) {
         return flat();
@@ -150,7 +145,7 @@ pub(super) fn mend(name: &str, soup: Soup) -> Result<Mended> {
         notes.push(format!("{parts} parts do not hang together"));
     }
     fit_unit_ball(&mut positions);
-    Ok(Mended { mesh: Mesh::new(name, positions, triangles)?, notes, parts, open_edges })
+    Ok(Mended { mesh: Mesh::new(name, positions, triangles)?, notes, parts, open_edges, up })
 }
 
 fn note(notes: &mut Vec<String>, count: usize, one: &str, many: &str) {
@@ -186,8 +181,12 @@ mod tests {
     use crate::mesh::Shape;
     use crate::rng::Rng;
 
+    fn mend(name: &str, soup: Soup) -> Result<Mended> {
+        super::mend(name, soup, Up::Y)
+    }
+
     fn soup(mesh: &Mesh) -> Soup {
-        Soup { positions: mesh.positions().to_vec(), triangles: mesh.triangles().to_vec() }
+        Soup { positions: mesh.positions().to_vec(), triangles: mesh.triangles().to_vec(), ..Soup::default() }
     }
 
     fn volume(mesh: &Mesh) -> f64 {
@@ -200,6 +199,7 @@ mod tests {
         Soup {
             positions: [first.positions, second.positions].concat(),
             triangles: first.triangles.into_iter().chain(triangles).collect(),
+            ..Soup::default()
         }
     }
 
@@ -276,7 +276,7 @@ mod tests {
         for [a, b, c, d] in [[0, 1, 2, 3], [0, 1, 4, 5], [1, 6, 7, 8]] {
             triangles.extend([[a, b, c], [a, c, d], [a, d, b], [b, d, c]]);
         }
-        let mended = mend("x", Soup { positions: positions.to_vec(), triangles }).unwrap();
+        let mended = mend("x", Soup { positions: positions.to_vec(), triangles, ..Soup::default() }).unwrap();
         assert_eq!((mended.parts, mended.open_edges), (3, 0), "{:?}", mended.notes);
         assert_eq!(mended.mesh.positions().len(), 12);
         assert!(volume(&mended.mesh) > 0.0);
@@ -312,17 +312,20 @@ mod tests {
     #[test]
     fn what_has_no_area_is_refused() {
         for positions in [vec![[1.0; 3]; 3], vec![[0.0; 3], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]], vec![[1e308; 3]; 3]] {
-            let error = mend("flat.obj", Soup { positions, triangles: vec![[0, 1, 2]] }).unwrap_err().to_string();
+            let error = mend("flat.obj", Soup { positions, triangles: vec![[0, 1, 2]], ..Soup::default() })
+                .unwrap_err()
+                .to_string();
             assert!(error.contains("flat.obj") && error.contains("no area"), "{error}");
         }
         // Thin ones may lie in any direction.
         let positions = vec![[0.3, 0.1, 0.7], [0.6, 0.2, 1.4], [0.9, 0.3, 2.1]];
-        let error = mend("x", Soup { positions, triangles: vec![[0, 1, 2]] }).unwrap_err().to_string();
+        let error =
+            mend("x", Soup { positions, triangles: vec![[0, 1, 2]], ..Soup::default() }).unwrap_err().to_string();
         assert!(error.contains("no area"), "{error}");
         // Huge and tiny ones are only scaled.
         for scale in [1e300, 1e-290] {
             let positions = vec![[-scale, 0.0, 0.0], [scale, 0.0, 0.0], [0.0, scale, 0.0]];
-            let mended = mend("x", Soup { positions, triangles: vec![[0, 1, 2]] }).unwrap();
+            let mended = mend("x", Soup { positions, triangles: vec![[0, 1, 2]], ..Soup::default() }).unwrap();
             assert!((mended.mesh.area() - 1.0).abs() < 0.01, "{}", mended.mesh.area());
         }
     }

@@ -4,7 +4,7 @@ use super::made::{WireData, exported};
 use super::pictures::Ink;
 use super::{json, parse_settings};
 use crate::mesh::Shape;
-use crate::model::read_mesh;
+use crate::model::{Mended, read_mesh};
 use crate::picture::{Pattern, Picture, Polarity, Reading};
 use crate::settings::{Flow, Motif, Settings, Start, Task};
 use crate::start::Filling;
@@ -61,7 +61,8 @@ impl Surface {
 
     /// A mesh from a file; `name` is what the person calls it, and its ending says what it is.
     pub fn open(name: &str, file: &[u8]) -> Result<Surface, JsError> {
-        Ok(Surface { given: Given::mended(name, read_mesh(name, file)?), filled: None })
+        let Mended { mesh, notes, .. } = read_mesh(name, file, None)?;
+        Ok(Surface { given: Given::mesh(name, mesh, notes), filled: None })
     }
 
     /// What was mended about it, as a JSON list of sentences.

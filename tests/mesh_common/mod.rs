@@ -14,10 +14,11 @@ pub enum Kind {
     PlyBig,
     Glb,
     Gltf,
+    ThreeMf,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 9] = [
         Kind::Obj,
         Kind::StlBinary,
         Kind::StlText,
@@ -26,6 +27,7 @@ impl Kind {
         Kind::PlyBig,
         Kind::Glb,
         Kind::Gltf,
+        Kind::ThreeMf,
     ];
 
     pub fn name(self) -> &'static str {
@@ -35,6 +37,7 @@ impl Kind {
             Kind::PlyText | Kind::PlyBinary | Kind::PlyBig => "mesh.ply",
             Kind::Glb => "mesh.glb",
             Kind::Gltf => "mesh.gltf",
+            Kind::ThreeMf => "mesh.3mf",
         }
     }
 }
@@ -128,8 +131,82 @@ pub fn written(kind: Kind, positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Ve
             );
             return if kind == Kind::Gltf { json.into_bytes() } else { glb(&json, &data) };
         }
+        Kind::ThreeMf => {
+            for [x, y, z] in positions {
+                write!(text, r#"<vertex x="{x}" y="{y}" z="{z}"/>"#).unwrap();
+            }
+            text += "</vertices><triangles>";
+            for [a, b, c] in triangles {
+                write!(text, r#"<triangle v1="{a}" v2="{b}" v3="{c}"/>"#).unwrap();
+            }
+            let object = format!(r#"<object id="1"><mesh><vertices>{text}</triangles></mesh></object>"#);
+            return three_mf(&object, r#"<item objectid="1" transform="0 2 0 -2 0 0 0 0 2 9 9 9"/>"#);
+        }
     }
     text.into_bytes()
+}
+
+/// A 3MF of these objects and this build.
+pub fn three_mf(objects: &str, build: &str) -> Vec<u8> {
+    let model = format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?>
+        <model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+        xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06">
+        <resources>{objects}</resources><build>{build}</build></model>"#
+    );
+    zip(&[("_rels/.rels", RELATIONS.as_bytes()), ("3D/part.model", model.as_bytes())])
+}
+
+pub const RELATIONS: &str = r#"<?xml version="1.0"?><Relationships xmlns="x"><Relationship Id="a" Target="/3D/part.model"
+    Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>"#;
+
+/// A zip archive of files that are not packed.
+pub fn zip(files: &[(&str, &[u8])]) -> Vec<u8> {
+    archive(0, false, &files.iter().map(|&(path, data)| (path, data, data.len())).collect::<Vec<_>>())
+}
+
+/// A zip archive of files that lie in it as they are after `method`, with the lengths they had before. A long one has all
+/// its numbers where large ones would be (Zip64).
+pub fn archive(method: u16, long: bool, files: &[(&str, &[u8], usize)]) -> Vec<u8> {
+    let (mut bytes, mut directory) = (Vec::new(), Vec::new());
+    let word = |number: usize| (number as u32).to_le_bytes();
+    let half = |number: usize| (number as u16).to_le_bytes();
+    let double = |number: usize| (number as u64).to_le_bytes();
+    const ELSEWHERE: usize = u32::MAX as usize;
+    for &(path, data, length) in files {
+        let place = bytes.len();
+        // Version, flags, method, time, date, sum, lengths, length of the path, of more.
+        let about = |packed: usize, length: usize, more: usize| {
+            let (lengths, names) = ([word(packed), word(length)].concat(), [half(path.len()), half(more)].concat());
+            [&half(45)[..], &half(0), &method.to_le_bytes(), &[0; 8], &lengths, &names].concat()
+        };
+        bytes.extend(
+            [b"PK\x03\x04", &about(data.len(), length, 4)[..], path.as_bytes(), b"\x99\x99\0\0", data].concat(),
+        );
+        let (about, place, more) = if long {
+            let more = [&half(1)[..], &half(24), &double(length), &double(data.len()), &double(place)].concat();
+            (about(ELSEWHERE, ELSEWHERE, more.len()), ELSEWHERE, more)
+        } else {
+            (about(data.len(), length, 0), place, Vec::new())
+        };
+        let entry = [b"PK\x01\x02", &half(45)[..], &about, &[0; 10], &word(place), path.as_bytes(), &more];
+        directory.extend(entry.concat());
+    }
+    let (count, place) = (files.len(), bytes.len());
+    bytes.extend(&directory);
+    let end = bytes.len();
+    if long {
+        let counts = [double(count), double(count), double(directory.len()), double(place)].concat();
+        bytes.extend([b"PK\x06\x06", &double(44)[..], &half(45), &half(45), &[0; 8], &counts].concat());
+        bytes.extend([b"PK\x06\x07", &word(0)[..], &double(end), &word(1)].concat());
+    }
+    let (count, size, place) = if long {
+        (half(0xffff), word(ELSEWHERE), word(ELSEWHERE))
+    } else {
+        (half(count), word(directory.len()), word(place))
+    };
+    bytes.extend([b"PK\x05\x06\0\0\0\0", &count[..], &count, &size, &place, &[3, 0], b"end"].concat());
+    bytes
 }
 
 pub fn glb(json: &str, data: &[u8]) -> Vec<u8> {

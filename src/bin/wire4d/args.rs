@@ -2,6 +2,7 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::path::PathBuf;
+use wire4d::model::Up;
 use wire4d::settings::{Kind, Preset, Settings, Task};
 use wire4d::{Error, Result};
 
@@ -56,10 +57,11 @@ pub fn command() -> Command {
             Command::new("fill")
                 .about("A mesh to one closed wire that covers it, in a picture's style")
                 .arg(
-                    file("mesh", "The mesh: OBJ, STL, PLY, GLB or glTF; or sphere, torus, knot, vase, creature")
+                    file("mesh", "The mesh: OBJ, STL, PLY, 3MF, GLB or glTF; or sphere, torus, knot, vase, creature")
                         .value_name("MESH")
                         .required(true),
                 )
+                .arg(up_axis())
                 .arg(
                     file("style", "A picture for its look, or petals, waves, calligraphy, scales, leaves")
                         .long("style")
@@ -75,6 +77,7 @@ pub fn command() -> Command {
                 .arg(wire())
                 .arg(view())
                 .arg(covers())
+                .arg(up_axis())
                 .arg(
                     Arg::new("size")
                         .long("size")
@@ -105,7 +108,8 @@ pub fn command() -> Command {
                         .value_parser(value_parser!(f64))
                         .allow_negative_numbers(true)
                         .help("Longest side: of the drawing (--lines) or the object (STL, bend list) [default: 100]"),
-                ),
+                )
+                .arg(up_axis()),
         )
         .subcommand(
             Command::new("metrics").about("Numbers about a wire, as in a report's `result`").arg(wire()).arg(
@@ -182,6 +186,14 @@ fn covers() -> Arg {
         .value_name("MESH")
 }
 
+fn up_axis() -> Arg {
+    Arg::new("up")
+        .long("up")
+        .value_name("AXIS")
+        .value_parser(Up::ALL.map(Up::name))
+        .help("The mesh's axis that points up [default: z for STL and 3MF, y for the others]")
+}
+
 fn with_settings(command: Command, task: Task) -> Command {
     let defaults = task.preset(Preset::Best).to_map();
     let command = task.rows().fold(command, |command, row| {
@@ -244,6 +256,11 @@ pub fn settings(matches: &ArgMatches, task: Task) -> Result<Settings> {
         pairs.push((name.trim().into(), text.trim().into()));
     }
     task.settings(pairs.iter().map(|(name, text)| (name.as_str(), text.as_str())))
+}
+
+/// Which axis of a mesh points up, if that is said.
+pub fn up(matches: &ArgMatches) -> Option<Up> {
+    matches.get_one::<String>("up").and_then(|word| Up::named(word))
 }
 
 /// A file argument that clap guarantees.

@@ -4,8 +4,9 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::Path;
+use wire4d::files::read_at_most;
 use wire4d::mesh::Shape;
-use wire4d::model::open_mesh;
+use wire4d::model::{MAX_MESH_BYTES, Mended, Up, read_mesh};
 use wire4d::picture::{GreyDepth, Pattern, Polarity, ink, read_picture};
 use wire4d::settings::Task;
 use wire4d::tasks::fill::{self, Given, Run, Style};
@@ -45,21 +46,33 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
 }
 
 fn given(matches: &ArgMatches) -> Result<Given> {
-    let mut given = solid(args::path(matches, "mesh"))?;
+    let mut given = solid(args::path(matches, "mesh"), args::up(matches))?;
     given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
     Ok(given)
 }
 
-/// A built-in shape by its word, unless a file is called so; else a mesh's file. It has no style yet.
-pub fn solid(path: &Path) -> Result<Given> {
+/// A built-in shape by its word, unless a file is called so; else a mesh's file, in which `up` is up. It has no style yet.
+pub fn solid(path: &Path, up: Option<Up>) -> Result<Given> {
     let name = path.display().to_string();
     match Shape::named(&name).filter(|_| !path.exists()) {
+        Some(_) if up.is_some() => Err(Error::setting("--up", "is for files: y is up in shapes", "leave it out")),
         Some(shape) => Ok(Given::shape(shape)),
         None if is_word(path) => {
             let words = Shape::ALL.map(Shape::name).join(", ");
             Err(Error::input(name, "is neither a file nor a shape", format!("give a mesh or {words}")))
         }
-        None => Ok(Given::mended(&name, open_mesh(path)?)),
+        None => {
+            let Mended { mesh, notes, .. } = open_mesh(&name, path, up)?;
+            Ok(Given::mesh(&name, mesh, notes))
+        }
+    }
+}
+
+fn open_mesh(name: &str, path: &Path, up: Option<Up>) -> Result<Mended> {
+    match read_at_most(path, MAX_MESH_BYTES) {
+        Ok(Some(bytes)) => read_mesh(name, &bytes, up),
+        Ok(None) => Err(Error::input(name, "has more than 200 MB", "save it with fewer triangles")),
+        Err(problem) => Err(Error::input(name, format!("cannot be read ({problem})"), "check the file's name")),
     }
 }
 

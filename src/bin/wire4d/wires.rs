@@ -195,7 +195,7 @@ fn read_wire(path: &Path) -> Result<Sculpture> {
 /// What the wire covers, if that was said.
 fn solid(matches: &ArgMatches) -> Result<Option<Arc<Mesh>>> {
     let path = matches.get_one::<PathBuf>("covers");
-    path.map(|path| Ok(crate::fill::solid(path)?.mesh)).transpose()
+    path.map(|path| Ok(crate::fill::solid(path, args::up(matches))?.mesh)).transpose()
 }
 
 fn view_of(made: &Sculpture, matches: &ArgMatches) -> Result<View> {

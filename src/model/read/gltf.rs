@@ -1,11 +1,14 @@
-//! glTF 2.0 and its binary form GLB: the parts of a scene, read from buffers that lie in the file.
+//! glTF 2.0 and its binary form GLB: the parts of a scene, as a viewer shows them before anything moves.
 //!
 //! Read here rather than by a crate: of the format's many things only shape is wanted, and every offset is checked.
 
-use super::scene::{Accessor, Primitive, Scene};
+use super::accessor::{Numbers, Shape, Store};
+use super::pose::{Instances, Pose};
+use super::scene::{Node, Primitive, Scene, World};
+use super::soup::Kept;
 use super::{Soup, check_count, damaged};
 use crate::{Error, Result};
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 
 /// A GLB: a header, a chunk of JSON, and a chunk of bytes.
 pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
@@ -40,23 +43,51 @@ pub(super) fn read_text(name: &str, text: &[u8]) -> Result<Soup> {
     read(name, text, None)
 }
 
-fn unsupported(name: &str, what: &str) -> Error {
+pub(super) fn unsupported(name: &str, what: &str) -> Error {
     Error::input(name, format!("{what} is not supported"), "save it as a GLB without compression, all data inside")
+}
+
+/// Extensions that are read, and, by their beginnings, those that change how a shape looks but not the shape.
+const UNDERSTOOD: [&str; 15] = [
+    "KHR_mesh_quantization",
+    "EXT_mesh_gpu_instancing",
+    "KHR_node_visibility",
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "KHR_animation_",
+    "KHR_xmp",
+    "KHR_techniques_webgl",
+    "EXT_texture_",
+    "EXT_lights_",
+    "EXT_mesh_features",
+    "EXT_structural_metadata",
+    "MSFT_texture_",
+    // Where on Earth it is.
+    "CESIUM_RTC",
+];
+
+/// Refuses by name what a file cannot be shown without. What it merely uses has something else in its place.
+fn check_required(name: &str, required: &[String]) -> Result<()> {
+    let foreign = |extension: &&String| !UNDERSTOOD.iter().any(|understood| extension.starts_with(understood));
+    match required.iter().find(foreign).map(String::as_str) {
+        None => Ok(()),
+        Some("KHR_draco_mesh_compression") => Err(unsupported(name, "Draco compression")),
+        Some("EXT_meshopt_compression" | "KHR_meshopt_compression") => Err(unsupported(name, "meshopt compression")),
+        Some(extension) => {
+            let extension: String = extension.chars().take(60).collect();
+            let problem = format!("needs the glTF extension {extension}, which is not read here");
+            Err(Error::input(name, problem, format!("export it without {extension}")))
+        }
+    }
 }
 
 fn read(name: &str, json: &[u8], blob: Option<&[u8]>) -> Result<Soup> {
     let scene: Scene =
         serde_json::from_slice(json).map_err(|problem| damaged(name, format!("is no glTF ({problem})")))?;
-    let required = scene.extensions_required.iter().map(String::as_str);
-    // A primitive may also offer compressed data as an alternative; only what is required has nothing else.
-    for extension in required {
-        match extension {
-            "KHR_draco_mesh_compression" => return Err(unsupported(name, "Draco compression")),
-            "EXT_meshopt_compression" | "KHR_meshopt_compression" => {
-                return Err(unsupported(name, "meshopt compression"));
-            }
-            _ => {}
-        }
+    check_required(name, &scene.extensions_required)?;
+    if scene.skins.iter().flat_map(|skin| &skin.joints).any(|&joint| joint >= scene.nodes.len()) {
+        return Err(damaged(name, "has a skin with joints that are not there"));
     }
     let mut buffers = Vec::new();
     for (i, buffer) in scene.buffers.iter().enumerate() {
@@ -73,142 +104,99 @@ fn read(name: &str, json: &[u8], blob: Option<&[u8]>) -> Result<Soup> {
             None => std::borrow::Cow::Borrowed(if i == 0 { blob.unwrap_or_default() } else { &[] }),
         });
     }
-    let reader = Reader { name, scene: &scene, buffers: buffers.iter().map(|b| &b[..]).collect() };
-    let placed = scene.placed();
-    let parts =
-        || placed.iter().flat_map(|&(mesh, matrix)| scene.meshes[mesh].primitives.iter().map(move |p| (p, matrix)));
-    // Before anything is stored: a mesh may be placed many times.
-    let count = parts().map(|(primitive, _)| reader.triangles(primitive)).fold(0, usize::saturating_add);
-    check_count(name, count)?;
+    let store = Store { name, scene: &scene, buffers: buffers.iter().map(|b| &b[..]).collect() };
+    let world = scene.world();
+    let meshes: Vec<Vec<Counted>> = scene.meshes.iter().map(|mesh| counted(&scene, &mesh.primitives)).collect();
     let mut soup = Soup::default();
-    let mut kept = Vec::new();
-    for (primitive, matrix) in parts() {
-        reader.add(primitive, matrix, &mut soup, &mut kept)?;
+    let mut kept = Kept::default();
+    for Placed { mesh, node, instances } in placed(&store, &world, &meshes)? {
+        let place = node.map_or(DMat4::IDENTITY, |node| world.matrices[node]);
+        let node = node.map(|node| &scene.nodes[node]);
+        for &(primitive, count) in &meshes[mesh] {
+            let Some(pose) = Pose::new(&store, &world, node, primitive, &scene.meshes[mesh].weights)? else { continue };
+            let indices = primitive.indices.map(|indices| store.names(indices, Shape::Scalar)).transpose()?;
+            let mut add = |matrix| {
+                let triangles = (0..count).map(|i| triangle(primitive.mode, i, indices.as_ref()));
+                pose.add(triangles, matrix, &mut soup, &mut kept)
+            };
+            let whole = match &instances {
+                None => add(place),
+                Some(instances) => (0..instances.count).all(|i| add(place * instances.matrix(i))),
+            };
+            if !whole {
+                return Err(damaged(name, "a triangle names a corner that is not there"));
+            }
+        }
     }
     Ok(soup)
 }
 
-struct Reader<'a> {
-    name: &'a str,
-    scene: &'a Scene,
-    buffers: Vec<&'a [u8]>,
-}
+/// A primitive with the number of its triangles, which is not 0.
+type Counted<'a> = (&'a Primitive, usize);
 
 /// What glTF calls the way corners are joined.
 const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
 
-impl Reader<'_> {
-    /// How many triangles a primitive says it has.
-    fn triangles(&self, primitive: &Primitive) -> usize {
-        let accessor = primitive.indices.or(primitive.attributes.position);
-        let count = accessor.and_then(|i| self.scene.accessors.get(i)).map_or(0, |accessor| accessor.count);
+/// The primitives that have triangles.
+fn counted<'a>(scene: &'a Scene, primitives: &'a [Primitive]) -> Vec<Counted<'a>> {
+    let count = |primitive: &Primitive| {
+        let accessor = primitive.indices.or(primitive.attributes.get("POSITION").copied());
+        let count = accessor.and_then(|i| scene.accessors.get(i)).map_or(0, |accessor| accessor.count);
         match primitive.mode {
             TRIANGLES => count / 3,
             STRIP | FAN => count.saturating_sub(2),
             _ => 0,
         }
-    }
-
-    /// Adds a primitive with those of its corners that triangles name: many may share one list of them. `kept` is for
-    /// this alone: one more than the place in the soup of each corner in the list, as of its last use.
-    fn add(&self, primitive: &Primitive, matrix: DMat4, soup: &mut Soup, kept: &mut Vec<u32>) -> Result<()> {
-        let count = self.triangles(primitive);
-        let Some(positions) = primitive.attributes.position else { return Ok(()) };
-        if count == 0 {
-            return Ok(());
-        }
-        let base = soup.positions.len();
-        let positions = self.numbers(positions, 3)?;
-        let indices = primitive.indices.map(|indices| self.numbers(indices, 1)).transpose()?;
-        kept.resize(kept.len().max(positions.accessor.count), 0);
-        // A reflection turns triangles inside out.
-        let mirrored = matrix.determinant() < 0.0;
-        for i in 0..count {
-            let (a, b, c) = match primitive.mode {
-                TRIANGLES => (3 * i, 3 * i + 1, 3 * i + 2),
-                STRIP => (i, i + 1 + i % 2, i + 2 - i % 2),
-                _ => (0, i + 1, i + 2),
-            };
-            let mut triangle = [0; 3];
-            for (corner, at) in triangle.iter_mut().zip(if mirrored { [a, c, b] } else { [a, b, c] }) {
-                let index = indices.as_ref().map_or(at, |indices| indices.get(at, 0) as usize);
-                if index >= positions.accessor.count {
-                    return Err(damaged(self.name, "a triangle names a corner that is not there"));
-                }
-                if kept[index] as usize <= base {
-                    let [x, y, z] = [0, 1, 2].map(|axis| positions.get(index, axis));
-                    soup.positions.push(matrix.transform_point3(DVec3::new(x, y, z)).to_array());
-                    kept[index] = soup.positions.len() as u32;
-                }
-                *corner = kept[index] - 1;
-            }
-            soup.triangles.push(triangle);
-        }
-        Ok(())
-    }
-
-    /// The numbers of an accessor: three an element for places, one for the indices of corners.
-    fn numbers(&self, at: usize, width: usize) -> Result<Numbers<'_>> {
-        let missing = || damaged(self.name, format!("accessor {at} is not there whole"));
-        let accessor: &Accessor = self.scene.accessors.get(at).ok_or_else(missing)?;
-        if accessor.sparse.is_some() {
-            return Err(unsupported(self.name, "a sparse accessor"));
-        }
-        let bytes: usize = match accessor.component_type {
-            5120 | 5121 => 1,
-            5122 | 5123 => 2,
-            5125 | 5126 => 4,
-            _ => return Err(missing()),
-        };
-        if accessor.kind != if width == 1 { "SCALAR" } else { "VEC3" } {
-            return Err(missing());
-        }
-        if width == 1 && !matches!(accessor.component_type, 5121 | 5123 | 5125) {
-            return Err(damaged(self.name, format!("accessor {at} names corners by other than whole numbers from 0")));
-        }
-        let view = accessor.buffer_view.and_then(|view| self.scene.buffer_views.get(view)).ok_or_else(missing)?;
-        let buffer = self.buffers.get(view.buffer).ok_or_else(missing)?;
-        let data = buffer
-            .get(view.byte_offset..)
-            .and_then(|rest| rest.get(..view.byte_length))
-            .and_then(|view| view.get(accessor.byte_offset..))
-            .ok_or_else(missing)?;
-        let stride = view.byte_stride.unwrap_or(bytes * width);
-        let end = stride.checked_mul(accessor.count.saturating_sub(1)).and_then(|last| last.checked_add(bytes * width));
-        if stride < bytes * width || accessor.count > data.len() || end.is_none_or(|end| end > data.len()) {
-            return Err(missing());
-        }
-        Ok(Numbers { accessor, data, stride, bytes })
-    }
-}
-
-/// An accessor whose elements all lie in its data, `stride` bytes apart; a number has so many `bytes`.
-struct Numbers<'a> {
-    accessor: &'a Accessor,
-    data: &'a [u8],
-    stride: usize,
-    bytes: usize,
-}
-
-impl Numbers<'_> {
-    fn get(&self, element: usize, axis: usize) -> f64 {
-        component(self.accessor, &self.data[element * self.stride + axis * self.bytes..][..self.bytes])
-    }
-}
-
-fn component(accessor: &Accessor, bytes: &[u8]) -> f64 {
-    let (value, most) = match (accessor.component_type, bytes) {
-        (5120, &[a]) => (f64::from(a as i8), 127.0),
-        (5121, &[a]) => (f64::from(a), 255.0),
-        (5122, &[a, b]) => (f64::from(i16::from_le_bytes([a, b])), 32_767.0),
-        (5123, &[a, b]) => (f64::from(u16::from_le_bytes([a, b])), 65_535.0),
-        (5125, &[a, b, c, d]) => return f64::from(u32::from_le_bytes([a, b, c, d])),
-        (_, &[a, b, c, d]) => return f64::from(f32::from_le_bytes([a, b, c, d])),
-        _ => return f64::NAN,
     };
-    if accessor.normalized { (value / most).max(-1.0) } else { value }
+    primitives.iter().map(|primitive| (primitive, count(primitive))).filter(|&(_, count)| count > 0).collect()
+}
+
+/// The corners of triangle `i` of a primitive.
+fn triangle(mode: u32, i: usize, indices: Option<&Numbers>) -> [usize; 3] {
+    let corners = match mode {
+        TRIANGLES => [3 * i, 3 * i + 1, 3 * i + 2],
+        STRIP => [i, i + 1 + i % 2, i + 2 - i % 2],
+        _ => [0, i + 1, i + 2],
+    };
+    corners.map(|at| indices.map_or(at, |indices| indices.get(at, 0) as usize))
+}
+
+/// A mesh where it is shown: by a node, if there are nodes, once or more.
+struct Placed<'a> {
+    mesh: usize,
+    node: Option<usize>,
+    instances: Option<Instances<'a>>,
+}
+
+/// What the scene shows; no more than may be, which is found out before any of it is stored.
+fn placed<'a>(store: &Store<'a>, world: &World, meshes: &[Vec<Counted>]) -> Result<Vec<Placed<'a>>> {
+    let nodes = &store.scene.nodes;
+    let mut shown: Vec<(usize, Option<usize>)> =
+        world.shown.iter().filter_map(|&node| Some((nodes[node].mesh?, Some(node)))).collect();
+    if nodes.is_empty() {
+        // A library of meshes without a scene: all of them where they are.
+        shown = (0..meshes.len()).map(|mesh| (mesh, None)).collect();
+    }
+    let mut placed = Vec::new();
+    let mut count = 0usize;
+    for (mesh, node) in shown {
+        let triangles = meshes
+            .get(mesh)
+            .map_or(0, |primitives| primitives.iter().map(|&(_, count)| count).fold(0, usize::saturating_add));
+        if triangles == 0 {
+            continue;
+        }
+        // Joints move a mesh to one place, whatever the node says.
+        let again = node.map(|node| &nodes[node]).filter(|node| node.skin.is_none()).and_then(Node::instances);
+        let instances = again.map(|again| Instances::new(store, again)).transpose()?;
+        let times = instances.as_ref().map_or(1, |instances| instances.count);
+        count = count.saturating_add(triangles.saturating_mul(times));
+        check_count(store.name, count)?;
+        placed.push(Placed { mesh, node, instances });
+    }
+    Ok(placed)
 }
 
 /// RFC 4648; white space is skipped.

@@ -1,5 +1,6 @@
 //! Wavefront OBJ: `v x y z` and `f a b c …`, where a corner is `index/texture/normal`; negative indices count back.
 
+use super::decimals::Decimals;
 use super::{Soup, check_count, damaged};
 use crate::Result;
 
@@ -37,34 +38,28 @@ fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
 /// Whether a line near the beginning says so.
 pub(super) fn is_obj(text: &[u8]) -> bool {
     lines(text).take(10_000).any(|(_, line)| {
-        [&b"v "[..], b"v\t", b"vn ", b"vt ", b"f ", b"o ", b"g ", b"mtllib ", b"usemtl "]
-            .iter()
-            .any(|w| line.starts_with(w))
-            && std::str::from_utf8(line).is_ok_and(|line| !line.contains('\0'))
+        let first = words(line).next().unwrap_or_default();
+        let known = [&b"v"[..], b"vn", b"vt", b"f", b"o", b"g", b"mtllib", b"usemtl"].contains(&first);
+        known && line.len() > first.len() && std::str::from_utf8(line).is_ok_and(|line| !line.contains('\0'))
     })
 }
 
 pub(super) fn read(name: &str, text: &[u8]) -> Result<Soup> {
     let mut soup = Soup::default();
     let mut polygon = Vec::new();
+    let mut decimals = Decimals::default();
     for (number, line) in lines(text) {
         let mut words = words(line);
         match words.next() {
             Some(b"v") => {
-                let mut point = [0.0; 3];
-                for c in &mut point {
-                    *c = words
-                        .next()
-                        .and_then(parsed::<f64>)
-                        .ok_or_else(|| damaged(name, format!("line {number} is no corner of three numbers")))?;
-                }
+                let point = decimals.point(words).map_err(|fault| fault.at(name, &format!("line {number}")))?;
                 soup.positions.push(point);
             }
             Some(b"f") => {
                 polygon.clear();
                 for word in words {
                     let word = word.split(|&byte| byte == b'/').next().unwrap_or_default();
-                    let index = parsed::<i64>(word).ok_or_else(|| {
+                    let index = whole(word).ok_or_else(|| {
                         let word = String::from_utf8_lossy(&word[..word.len().min(30)]);
                         damaged(
                             name,
@@ -87,14 +82,14 @@ pub(super) fn read(name: &str, text: &[u8]) -> Result<Soup> {
     Ok(soup)
 }
 
-pub(super) fn parsed<T: std::str::FromStr>(word: &[u8]) -> Option<T> {
+fn whole(word: &[u8]) -> Option<i64> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::read_mesh;
+    use crate::read_mesh;
 
     const CORNERS: &str = "v 0 0 0\nv 1 0 0 # right\nv 1 1 0\nv 0 1 0\n";
 
@@ -127,17 +122,18 @@ mod tests {
             ("f 1 2 3.5", "\"3.5\", which is not a whole number"),
             ("f 1 2 0", "names a corner that is not there"),
             ("f 1 2 -9", "names a corner that is not there"),
-            ("v 1 2", "no corner of three numbers"),
+            ("v 1 2", "a corner that is not three numbers"),
+            ("v 1.5 2,5 3", "decimal commas that can be read in more than one way"),
         ] {
             for (start, line) in [("", 5), ("\n \n\n", 8), ("v 1 \\\n1 1\n", 7)] {
                 let words = format!("{start}{CORNERS}{face}\n");
                 for words in [words.replace('\n', "\r\n"), words.replace('\n', "\r"), words] {
-                    let error = read_mesh("a.obj", words.as_bytes()).unwrap_err().to_string();
+                    let error = read_mesh("a.obj", words.as_bytes(), None).unwrap_err().to_string();
                     assert!(error.contains(problem) && error.contains(&format!("line {line}")), "{words:?}: {error}");
                 }
             }
         }
         let long = format!("{CORNERS}f 1 2 {}", "é".repeat(999));
-        assert!(read_mesh("a.obj", long.as_bytes()).unwrap_err().to_string().len() < 200);
+        assert!(read_mesh("a.obj", long.as_bytes(), None).unwrap_err().to_string().len() < 200);
     }
 }

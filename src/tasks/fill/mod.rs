@@ -18,7 +18,6 @@ use super::saved::SavedRun;
 use crate::Result;
 use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
-use crate::model::Mended;
 use crate::objective::Texture;
 use crate::optimize::{Problem, Schedule, Seen, Session, Surface, wait};
 use crate::sculpture::{Sculpture, render, render_seen};
@@ -77,9 +76,9 @@ const SURFACE_WEIGHT: f64 = 100.0;
 const PLANES_EVERY: usize = 10;
 
 impl Given {
-    /// A mesh from a file.
-    pub fn mended(name: &str, mended: Mended) -> Given {
-        Given { name: name.to_owned(), mesh: Arc::new(mended.mesh), notes: mended.notes, style: None }
+    /// A mesh from a file, with what was mended about it.
+    pub fn mesh(name: &str, mesh: Mesh, notes: Vec<String>) -> Given {
+        Given { name: name.to_owned(), mesh: Arc::new(mesh), notes, style: None }
     }
 
     /// A built-in shape.
