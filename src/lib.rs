@@ -19,6 +19,7 @@
 pub mod files;
 
 pub use wire4d_core::{Error, Result, error, mesh, objective, optimize, raster, rng, view, wire};
+#[cfg(feature = "cli")]
 pub use wire4d_model as model;
 
 pub mod picture;

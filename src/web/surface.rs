@@ -3,8 +3,7 @@
 use super::made::{WireData, exported};
 use super::pictures::Ink;
 use super::{json, parse_settings};
-use crate::mesh::Shape;
-use crate::model::{Mended, read_mesh};
+use crate::mesh::{Mesh, Shape};
 use crate::picture::{Pattern, Picture, Polarity, Reading};
 use crate::settings::{Flow, Motif, Settings, Start, Task};
 use crate::start::Filling;
@@ -59,9 +58,12 @@ impl Surface {
         Ok(Surface { given: Given::shape(shape), filled: None })
     }
 
-    /// A mesh from a file; `name` is what the person calls it, and its ending says what it is.
-    pub fn open(name: &str, file: &[u8]) -> Result<Surface, JsError> {
-        let Mended { mesh, notes, .. } = read_mesh(name, file, None)?;
+    /// A mesh as the module for files hands it over: x, y, z of each corner, three corners a triangle, and a JSON list of
+    /// sentences. `name` is what the person calls it.
+    pub fn mesh(name: &str, positions: &[f64], triangles: &[u32], notes: &str) -> Result<Surface, JsError> {
+        let (positions, triangles) = (positions.as_chunks().0.to_vec(), triangles.as_chunks().0.to_vec());
+        let mesh = Mesh::new(name, positions, triangles)?;
+        let notes = serde_json::from_str(notes).unwrap_or_default();
         Ok(Surface { given: Given::mesh(name, mesh, notes), filled: None })
     }
 

@@ -1,4 +1,5 @@
-//! The core as WebAssembly: compile with SIMD, bind, optimise. Steps whose input has not changed are skipped.
+//! The core and the reader of mesh files as WebAssembly, a module each: compile with SIMD, bind, optimise. Steps whose
+//! input has not changed are skipped.
 
 use crate::Result;
 use crate::page;
@@ -25,24 +26,32 @@ const WASM_FEATURES: &[&str] = &[
     "--enable-reference-types",
 ];
 
-/// Builds `www/src/engine/wasm/wire4d{.js,.d.ts,_bg.wasm}`; needs the page's packages (for wasm-opt).
+/// What the page fetches at once, and what it fetches when somebody brings a mesh.
+const MODULES: [&str; 2] = ["wire4d", "wire4d_model"];
+
+/// Builds `{.js,.d.ts,_bg.wasm}` of each module in `www/src/engine/wasm`; needs the page's packages (for wasm-opt).
 pub fn build() -> Result {
     compile()?;
-    let compiled = root().join(TARGET_DIR).join(TARGET).join("wasm/wire4d.wasm");
+    MODULES.iter().try_for_each(|name| finish(name))
+}
+
+/// Binds and optimises a compiled module.
+fn finish(name: &str) -> Result {
+    let compiled = root().join(TARGET_DIR).join(TARGET).join(format!("wasm/{name}.wasm"));
     let out_dir = root().join("www/src/engine/wasm");
-    let stamp = out_dir.join("stamp");
+    let stamp = out_dir.join(format!("{name}.stamp"));
     let bytes = std::fs::read(&compiled).map_err(|error| format!("cannot read {}: {error}", compiled.display()))?;
     let fingerprint = fingerprint(&bytes)?;
     if std::fs::read_to_string(&stamp).is_ok_and(|old| old == fingerprint) {
-        say("the wasm module is fresh");
+        say(format!("the wasm module {name} is fresh"));
         return Ok(());
     }
-    bind(&compiled, &out_dir)?;
-    let module = out_dir.join("wire4d_bg.wasm");
+    bind(name, &compiled, &out_dir)?;
+    let module = out_dir.join(format!("{name}_bg.wasm"));
     let size = |path: &Path| std::fs::metadata(path).map_or(0, |meta| meta.len() / 1000);
     let before_kb = size(&module);
     optimise(&module)?;
-    say(format!("wasm module: {before_kb} kB, {} kB after wasm-opt", size(&module)));
+    say(format!("wasm module {name}: {before_kb} kB, {} kB after wasm-opt", size(&module)));
     std::fs::write(stamp, fingerprint)?;
     Ok(())
 }
@@ -73,9 +82,13 @@ fn compile() -> Result {
         "build",
         "--locked",
         "--lib",
+        "--package",
+        "wire4d",
+        "--package",
+        "wire4d-model",
         "--no-default-features",
         "--features",
-        "gpu",
+        "wire4d/gpu",
     ]);
     run(cargo.args(["--profile", "wasm", "--target", TARGET, "--target-dir", TARGET_DIR]))
 }
@@ -122,10 +135,10 @@ fn debian_compiler_complete() -> bool {
         && find_program(&["rust-lld"]).is_some()
 }
 
-fn bind(compiled: &Path, out_dir: &Path) -> Result {
-    say("binding");
+fn bind(name: &str, compiled: &Path, out_dir: &Path) -> Result {
+    say(format!("binding {name}"));
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(compiled).out_name("wire4d").typescript(true).omit_default_module_path(true);
+    bindgen.input_path(compiled).out_name(name).typescript(true).omit_default_module_path(true);
     bindgen.web(true).and_then(|bindgen| bindgen.generate(out_dir)).map_err(|error| format!("{error:#}"))?;
     Ok(())
 }

@@ -1,4 +1,4 @@
-/** The wasm module in the page's own words. Imported by the worker and by nothing else. */
+/** The main wasm module in the page's own words. Imported by the worker and by nothing else. */
 
 import type { WireShape } from "../embed/shape";
 import type {
@@ -28,10 +28,13 @@ import type {
   ShapeName,
   Sitter,
   Snapshot,
+  SolidFile,
   Target,
+  Up,
   View,
   Work,
 } from "./protocol";
+import { readMesh } from "./model";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
 
@@ -130,9 +133,12 @@ const core = {
     }));
   },
 
-  shape: (shape: ShapeName): CoreSurface => covering(wasm.Surface.built_in(shape)),
+  shape: (shape: ShapeName): CoreSurface => covering(wasm.Surface.built_in(shape), null),
 
-  mesh: (name: string, file: Bytes): CoreSurface => covering(wasm.Surface.open(name, file)),
+  async mesh({ name, file, up }: SolidFile): Promise<CoreSurface> {
+    const { positions, triangles, notes, up: taken } = await readMesh(name, new Uint8Array(await file.arrayBuffer()), up === undefined ? "y" : up);
+    return covering(wasm.Surface.mesh(name, positions, triangles, notes), taken);
+  },
 
   pattern: (pattern: PatternName, sidePx: number): Ink => ink(wasm.pattern(pattern, sidePx)),
 
@@ -194,13 +200,14 @@ function bytesOf({ rgba }: Picture): Uint8Array {
   return new Uint8Array(rgba.buffer, rgba.byteOffset, rgba.byteLength);
 }
 
-function covering(surface: wasm.Surface): CoreSurface {
+function covering(surface: wasm.Surface, up: Up | null): CoreSurface {
   return {
     found: () => ({
       positions: surface.positions() as FoundSurface["positions"],
       indices: surface.indices() as FoundSurface["indices"],
       triangles: surface.triangle_count,
       notes: JSON.parse(surface.notes()) as string[],
+      up,
     }),
     dress(style) {
       if (!style) surface.clear_style();

@@ -75,8 +75,20 @@ export type ShapeName = (typeof SHAPES)[number];
 export const PATTERNS = ["petals", "waves", "calligraphy", "scales", "leaves"] as const;
 export type PatternName = (typeof PATTERNS)[number];
 
-/** What is to be covered: a shape by formula, or a file; `key` tells one file from every other, also from its namesakes. */
-export type Solid = { readonly shape: ShapeName } | { readonly key: string; readonly name: string; readonly file: Blob };
+/** The axis of a file that points up. */
+export type Up = "y" | "z";
+
+/** What is to be covered: a shape by formula, or a file. */
+export type Solid = { readonly shape: ShapeName } | SolidFile;
+
+export interface SolidFile {
+  /** Tells it from every other, also from its namesakes and from itself turned another way. */
+  readonly key: string;
+  readonly name: string;
+  readonly file: Blob;
+  /** Null for what is usual for its kind. What was kept before there was a choice has none, and y is up in it. */
+  readonly up?: Up | null;
+}
 
 /** What a run covers, and the picture whose look the wire takes on. */
 export interface Covered {
@@ -96,6 +108,8 @@ export interface FoundSurface extends Body {
   readonly triangles: number;
   /** What was mended about it, in sentences. */
   readonly notes: readonly string[];
+  /** The axis that was up in its file; null for a shape by formula. */
+  readonly up: Up | null;
 }
 
 /** What a run is about. */

@@ -81,7 +81,7 @@ function surfaceOf(solid: Solid): Promise<Opened> {
 
 async function open(solid: Solid): Promise<Opened> {
   const core = await loaded();
-  const read = "shape" in solid ? core.shape(solid.shape) : core.mesh(solid.name, new Uint8Array(await solid.file.arrayBuffer()));
+  const read = "shape" in solid ? core.shape(solid.shape) : await core.mesh(solid);
   return { core: read, found: read.found() };
 }
 

@@ -1,7 +1,7 @@
 /** What travels to a person stays within its budgets; `cargo xtask budget` measures these and the slower ones. */
 
 import { expect, it } from "vitest";
-import { firstView, FIRST_VIEW_KB, STAGE_KB, stageBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
+import { firstView, FIRST_VIEW_KB, MESH_KB, STAGE_KB, stageBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
 
 it("a first view without wasm", async () => {
   const sent = await firstView();
@@ -10,8 +10,9 @@ it("a first view without wasm", async () => {
   expect(total(sent)).toBeLessThanOrEqual(1000 * FIRST_VIEW_KB);
 });
 
-it("the wasm module", () => {
-  expect(wasmBytes()).toBeLessThanOrEqual(1000 * WASM_KB);
+it("the wasm modules", () => {
+  expect(wasmBytes("wire4d")).toBeLessThanOrEqual(1000 * WASM_KB);
+  expect(wasmBytes("wire4d_model")).toBeLessThanOrEqual(1000 * MESH_KB);
 });
 
 it("the stage alone", async () => {

@@ -8,17 +8,20 @@ import { DIST, launch, ROOT, serveDist, settled, visit, type Sent } from "../bro
 import type { Account, Row } from "./budget";
 
 export const FIRST_VIEW_KB = 200;
+/** The main module, which every visit fetches. */
 export const WASM_KB = 740;
+/** The module that reads mesh files, which is fetched when somebody brings one. */
+export const MESH_KB = 165;
 export const STAGE_KB = 40;
 
-/** Every file but wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
+/** Every file but the main wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
 export async function firstView(): Promise<Sent[]> {
   const site = await serveDist("/");
   const browser = await launch();
   try {
     const { page } = await visit(browser, site.url);
     await settled(page);
-    return site.sent.filter(({ file }) => !file.endsWith(".wasm")).sort((a, b) => b.bytes - a.bytes);
+    return site.sent.filter(({ file }) => !/wire4d_bg-[^/]*\.wasm$/.test(file)).sort((a, b) => b.bytes - a.bytes);
   } finally {
     await browser.close();
     site.server.close();
@@ -29,10 +32,11 @@ export function total(sent: readonly Sent[]): number {
   return sent.reduce((sum, { bytes }) => sum + bytes, 0);
 }
 
-export function wasmBytes(): number {
-  const modules = readdirSync(join(DIST, "assets")).filter((file) => file.endsWith(".wasm"));
-  if (!modules.length) throw new Error(`there is no wasm in ${DIST}; \`cargo xtask build\` makes it`);
-  return modules.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, "assets", file))).length, 0);
+/** Of the module with that name, gzipped. */
+export function wasmBytes(name: "wire4d" | "wire4d_model"): number {
+  const file = readdirSync(join(DIST, "assets")).find((file) => file.startsWith(`${name}_bg-`) && file.endsWith(".wasm"));
+  if (!file) throw new Error(`there is no ${name} in ${DIST}; \`cargo xtask build\` makes it`);
+  return gzipSync(readFileSync(join(DIST, "assets", file))).length;
 }
 
 /** The stage bundled alone, as somebody else's page would embed it; a library build keeps its white space. */
@@ -54,7 +58,8 @@ export async function sizes(): Promise<Account> {
   const sent = await firstView();
   const rows = [
     row("first view without wasm, gzipped", FIRST_VIEW_KB, total(sent)),
-    row("wasm, gzipped", WASM_KB, wasmBytes()),
+    row("wasm, gzipped", WASM_KB, wasmBytes("wire4d")),
+    row("wasm for mesh files, gzipped", MESH_KB, wasmBytes("wire4d_model")),
     row("stage module, gzipped", STAGE_KB, await stageBytes()),
   ];
   return { rows, notes: ["First view:", ...sent.map(({ file, bytes }) => `- ${kb(bytes)} ${file}`), ""] };
