@@ -12,7 +12,7 @@ export interface Sorted {
 }
 
 /** What meshes come in; the last few only to hear from the core what would do instead. */
-const MESH = /\.(obj|stl|ply|glb|gltf|off|fbx|3mf|dae|blend|step|stp)$/i;
+const MESH = /\.(obj|stl|ply|3mf|glb|gltf|3ds|amf|blend|dae|drc|fbx|iges|igs|off|step|stp|usdz|wrl|x3d)$/i;
 const isPicture = (file: File): boolean => file.type.startsWith("image/");
 
 /**

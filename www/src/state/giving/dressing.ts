@@ -1,6 +1,7 @@
 /** What people do with the shape of the third job: choose it, and the style of the wire that covers it. */
 
 import { Problem } from "../../engine/client";
+import type { Up } from "../../engine/protocol";
 import { kept, readPicture } from "../drawing/picture";
 import { QUIET, type Bench, type PadState } from "../studio-state";
 import { solidName, type Cover, type PatternName, type ShapeName, type Solid } from "../surface/cover";
@@ -31,11 +32,18 @@ export class Dressing {
         throw new Problem(`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a mesh of at most ${MOST_FILE_BYTES / 1e6} MB, or thin it out first.`);
       }
       // The bytes as they are now: what is on the disc may be written anew by the program it comes from.
-      const solid: Solid = { key: crypto.randomUUID(), name, file: new Blob([await file.arrayBuffer()]) };
-      // Read for what is wrong with it; the worker keeps it for whoever wants to see it.
-      await this.bench.engine.call("surface", { solid });
-      return { take: () => this.take(solid) };
+      const solid = { key: crypto.randomUUID(), name, file: new Blob([await file.arrayBuffer()]), up: null };
+      // Read for what is wrong with it, and what is up in it; the worker keeps it for whoever wants to see it.
+      const { up } = await this.bench.engine.call("surface", { solid });
+      return { take: () => this.take({ ...solid, up }) };
     });
+  }
+
+  /** Sets the mesh upright, or lays it down: another axis of its file points up. */
+  turn(up: Up): void {
+    this.instead("solid");
+    const { cover } = this.bench.doc;
+    if (cover && !("shape" in cover.solid)) this.take({ ...cover.solid, key: crypto.randomUUID(), up }, "Turn");
   }
 
   pattern(style: PatternName | null): void {
@@ -58,9 +66,9 @@ export class Dressing {
     if (this.bench.doc.cover) this.bench.edit("Take the shape away", { cover: null });
   }
 
-  private take(solid: Solid): void {
+  private take(solid: Solid, what = "Take the shape"): void {
     const style = this.bench.doc.cover?.style ?? null;
-    this.bench.edit(`Take the shape ${solidName(solid)}`, { cover: { solid, style } });
+    this.bench.edit(`${what} ${solidName(solid)}`, { cover: { solid, style } });
   }
 
   private dress(style: Cover["style"], label: string): void {

@@ -1,5 +1,6 @@
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
+import type { Up } from "../../engine/protocol";
 import { SHAPES, solidKey, solidName } from "../../state/surface/cover";
 import type { Studio, StudioState } from "../../state/studio";
 import { asSentence } from "../../state/words";
@@ -12,7 +13,10 @@ import { shapeIcon } from "./shape-icons";
 import { tiles, tilesStyle } from "./tiles";
 
 /** What browsers should offer; whatever else is chosen, the core says what is wrong with it. */
-const MESH_FILES = ".obj,.stl,.ply,.glb,.gltf";
+const MESH_FILES = ".obj,.stl,.ply,.3mf,.glb,.gltf";
+
+/** What is up in a file, by where that is usual. */
+const UPS = { z: "Z, as for printing", y: "Y, as on screens" } as const;
 
 /** The shape that a wire covers: one by formula, or a mesh from a file. */
 @customElement("shape-pad")
@@ -71,6 +75,19 @@ export class ShapePad extends Part {
           --clay: color-mix(in srgb, CanvasText 25%, Canvas);
         }
       }
+      .up {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        justify-content: space-between;
+        gap: 4px 8px;
+        margin-block-start: 8px;
+        color: var(--quiet);
+      }
+      .up select {
+        min-width: 0;
+        color: var(--ink);
+      }
       .line {
         min-height: 37px;
         margin: 6px 0 0;
@@ -128,10 +145,11 @@ export class ShapePad extends Part {
           locked,
           (value) => this.studio.dressing.shape(value as (typeof SHAPES)[number]),
         )}
-        <button id="open" class=${own ? "chosen" : ""} title=${own ? `${solid.name}. Open another mesh` : "Open a mesh: OBJ, STL, PLY, GLB or glTF"} ?disabled=${locked} @click=${this.openFile}>
+        <button id="open" class=${own ? "chosen" : ""} title=${own ? `${solid.name}. Open another mesh` : "Open a mesh: OBJ, STL, PLY, 3MF, GLB or glTF"} ?disabled=${locked} @click=${this.openFile}>
           <span class="picture">${icons.open}</span><span class="words"><span class="unseen">Open a mesh: </span>${own ? solid.name : "Your mesh…"}</span>
         </button>
       </fieldset>
+      ${own ? this.upright(solid.up ?? "y", locked) : nothing}
       ${problem && problem !== this.readProblem
         ? html`<div class="problem small" role="alert">
             <span>${problem}</span>
@@ -147,11 +165,21 @@ export class ShapePad extends Part {
     this.file.click();
   }
 
+  /** Few files say what is up in them. */
+  private upright(up: Up, locked: boolean) {
+    return html`<label class="up small">
+      Up in this file
+      <select ?disabled=${locked} @change=${(event: Event) => this.studio.dressing.turn((event.target as HTMLSelectElement).value as Up)}>
+        ${Object.entries(UPS).map(([value, words]) => html`<option value=${value} .selected=${value === up}>${words}</option>`)}
+      </select>
+    </label>`;
+  }
+
   /** One line or two, always there: nothing jumps when they are filled. */
   private line() {
     const { doc, dressing, surface } = this.state;
     if (dressing.busy) return "Reading…";
-    if (!doc.cover) return "Choose one, or drop a mesh: OBJ, STL, PLY, GLB or glTF.";
+    if (!doc.cover) return "Choose one, or drop a mesh: OBJ, STL, PLY, 3MF, GLB or glTF.";
     if (!surface) return nothing;
     const { triangles, notes } = surface;
     const words = [`${count(triangles)} triangles.`, ...notes.map(asSentence)].join(" ");
