@@ -116,6 +116,7 @@ fn bad_files_are_refused_in_words() {
         ("a.glb", half(Kind::Glb), "ends early"),
         ("a.gltf", b"{\"asset\":{\"version\":\"2.0\"}}".to_vec(), "no triangles"),
         ("a.gltf", b"{\"asset\":".to_vec(), "no glTF"),
+        ("a.gltf", b"{\"asset\":{\"version\":\"1.0\"},\"meshes\":{\"a\":{}}}".to_vec(), "glTF version 1 is not supported"),
         ("a.glb", glb(r#"{"extensionsRequired":["KHR_draco_mesh_compression"]}"#), "Draco compression is not supported"),
         ("a.glb", glb(r#"{"extensionsRequired":["EXT_meshopt_compression"]}"#), "meshopt compression is not supported"),
         ("a.glb", glb(r#"{"buffers":[{"byteLength":9,"uri":"mesh.bin"}]}"#), "data in another file (mesh.bin) is not supported"),

@@ -4,7 +4,7 @@
 
 use super::accessor::{Numbers, Shape, Store};
 use super::pose::{Instances, Pose};
-use super::scene::{Node, Primitive, Scene, World};
+use super::scene::{Head, Node, Primitive, Scene, World};
 use super::soup::Kept;
 use super::{Soup, check_count, damaged};
 use crate::{Error, Result};
@@ -83,8 +83,11 @@ fn check_required(name: &str, required: &[String]) -> Result<()> {
 }
 
 fn read(name: &str, json: &[u8], blob: Option<&[u8]>) -> Result<Soup> {
-    let scene: Scene =
-        serde_json::from_slice(json).map_err(|problem| damaged(name, format!("is no glTF ({problem})")))?;
+    let scene: Scene = serde_json::from_slice(json).map_err(|problem| match serde_json::from_slice::<Head>(json) {
+        // The first version keeps all things by name.
+        Ok(Head { asset }) if asset.version.starts_with('1') => unsupported(name, "glTF version 1"),
+        _ => damaged(name, format!("is no glTF ({problem})")),
+    })?;
     check_required(name, &scene.extensions_required)?;
     if scene.skins.iter().flat_map(|skin| &skin.joints).any(|&joint| joint >= scene.nodes.len()) {
         return Err(damaged(name, "has a skin with joints that are not there"));

@@ -5,6 +5,17 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 use std::collections::BTreeMap;
 
+/// What all versions of the format begin with.
+#[derive(Deserialize)]
+pub(super) struct Head {
+    pub(super) asset: Asset,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Asset {
+    pub(super) version: String,
+}
+
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct Scene {

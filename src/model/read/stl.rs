@@ -43,10 +43,10 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
     if is_unknown(count) && whole > 0 {
         return Err(damaged(name, format!("announces {announced} triangles, and ends within the one after {whole}")));
     }
-    check_count(name, count)?;
     if whole < count {
         return Err(damaged(name, format!("ends after {whole} of {count} triangles")));
     }
+    check_count(name, count)?;
     let mut soup = Soup::default();
     for triangle in bytes[HEADER..].chunks_exact(TRIANGLE).take(count) {
         let mut numbers =
@@ -225,6 +225,7 @@ mod tests {
             (0, 3 * TRIANGLE + 7, "announces 0 triangles, and ends within the one after 3"),
             (u32::MAX, 3 * TRIANGLE + 7, "announces 4294967295 triangles"),
             (4, 3 * TRIANGLE, "ends after 3 of 4 triangles"),
+            (0x5000_0000, 3 * TRIANGLE, "ends after 3 of 1342177280 triangles"),
         ] {
             let error = read_binary("a.stl", &file(announced, bytes)).unwrap_err().to_string();
             assert!(error.contains(problem), "{error}");
