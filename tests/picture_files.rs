@@ -175,9 +175,9 @@ fn the_test_drawings_are_read() {
             views += 1;
             assert!(fs::metadata(&file).unwrap().len() < 12_000, "{}", file.display());
             let picture = picture::read_picture(&file).unwrap();
-            let (image, polarity) = picture::ink(&picture, Polarity::Auto).unwrap();
+            let (image, ground) = picture::ink(&picture, Polarity::Auto).unwrap();
             let light = set.ends_with("t10-thin-letters");
-            assert_eq!(polarity == Polarity::LightInk, light, "{}", file.display());
+            assert_eq!(ground.polarity == Polarity::LightInk, light, "{}", file.display());
             let share = image.data.iter().sum::<f32>() / image.data.len() as f32;
             assert!((0.01..0.55).contains(&share), "{}: {share} of it is ink", file.display());
             assert!(image.threshold(0.9).count() > 100, "{}: ink is ink", file.display());

@@ -2,6 +2,10 @@
 //!
 //! A [`Picture`] is decoded colour, wherever it came from. [`ink`] finds what is drawn: ground 0, ink 1, soft edges kept.
 
+use super::Mask;
+use super::colour::{apart, dominant, luma, mean};
+use super::cutout::CutOut;
+use super::sheet::{is_rim, sheet};
 use crate::view::{Image, MAX_PICTURE_PX};
 use crate::{Error, Result};
 
@@ -102,14 +106,6 @@ impl Picture {
         }
         Picture { name: self.name.clone(), width, height, rgba, given: self.given }
     }
-
-    /// Luma (BT.709 weights on the encoded values: antialiasing mixes those) and alpha of each pixel, 0 to 1.
-    fn luma_and_alpha(&self) -> impl Iterator<Item = (f32, f32)> + '_ {
-        self.rgba.chunks_exact(4).map(|p| {
-            let [r, g, b, a] = [p[0], p[1], p[2], p[3]].map(|byte| f32::from(byte) / 255.0);
-            (0.2126 * r + 0.7152 * g + 0.0722 * b, a)
-        })
-    }
 }
 
 /// Whether a picture of this size may be decoded at all; to be asked before memory is.
@@ -128,80 +124,165 @@ pub(super) fn check_size(name: &str, width: usize, height: usize) -> Result<()> 
 /// Least difference of shade between ink and ground, of the full range.
 const MIN_CONTRAST: f32 = 0.08;
 
+/// Lumas that differ less than this may be of a coloured drawing whose colours differ this many times as much.
+const PALE: f32 = 0.2;
+const MORE_IN_COLOUR: f32 = 1.5;
+
 /// Fewest pixels that make a drawing.
 const MIN_INK_PIXELS: usize = 4;
 
-/// The ink of a picture, 0 (ground) to 1 (ink), and its polarity (never [`Polarity::Auto`]).
+/// Share of the picture that a dark and a light sheet on another ground cover.
+const LEAST_SHEET: [f64; 2] = [0.5, 0.3];
+
+/// What was taken for the ground of a drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground {
+    /// Whether the ink is darker or lighter than it; never [`Polarity::Auto`].
+    pub polarity: Polarity,
+    /// Why.
+    pub because: Because,
+    /// Its colour, encoded: red, green, blue, 0 to 1.
+    pub colour: [f32; 3],
+    /// The ink's.
+    pub ink: [f32; 3],
+}
+
+/// Why something was taken for the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Because {
+    /// It is transparent.
+    Transparent,
+    /// The border is of that shade.
+    Border,
+    /// Most of the picture is of that shade or colour.
+    Most,
+    /// It is a sheet with marks on it; what is round it is neither.
+    Sheet,
+    /// A person said which shade is ink.
+    Said,
+}
+
+/// The ink of a picture, 0 (ground) to 1 (ink), and its ground.
 ///
-/// Transparent pixels are ground. If what is not transparent has one shade, its alpha is the drawing; otherwise it is
-/// laid on white (dark ink, also what `Auto` means then) or on black (light ink). In opaque pictures `Auto` takes the
-/// border's shade for ground. Shades are stretched from the paper's level, followed over the picture so that uneven light
-/// does no harm, to the ink's; clean pictures keep their antialiasing as it is.
+/// Transparent pixels are ground. If what is not transparent has one shade, its alpha is the drawing, whatever colour its
+/// soft edges have; otherwise it is laid on white (dark ink, also what `Auto` means then) or on black (light ink). In opaque
+/// pictures a marked [`sheet`] is ground, else the border's shade, else, where that is undecided, what most of the picture
+/// is. Ink and ground of like luma are told apart by colour: along the line from the dominant colour to that of what stands
+/// out. Shades are stretched from the paper's level, followed over the picture so that uneven light does no harm, to the
+/// ink's; clean pictures keep their antialiasing as it is.
 ///
 /// # Errors
 /// [`Error::Picture`] if the picture is blank, fully inked or holds less ink than a stroke.
-pub fn ink(picture: &Picture, polarity: Polarity) -> Result<(Image, Polarity)> {
+pub fn ink(picture: &Picture, polarity: Polarity) -> Result<(Image, Ground)> {
     let fail = |problem: &str, remedy: &str| Err(Error::picture(&picture.name, problem, remedy));
     let (width, height) = (picture.width, picture.height);
-    let pixels: Vec<(f32, f32)> = picture.luma_and_alpha().collect();
-    let transparent = pixels.iter().any(|&(_, alpha)| alpha < 0.5);
-    let silhouette = transparent && solid_shade(&pixels).is_some();
     let asked = polarity;
-    let polarity = match asked {
-        Polarity::Auto if silhouette && solid_shade(&pixels) > Some(0.5) => Polarity::LightInk,
-        Polarity::Auto if transparent => Polarity::DarkInk,
-        Polarity::Auto => guess_polarity(&pixels, width, height),
-        given => given,
+    let cut = CutOut::of(picture);
+    let shade = cut.and_then(|cut| cut.shade);
+    // Transparent pictures are laid on the ground that their ink does not have.
+    let paper = f32::from(asked != Polarity::LightInk);
+    let pixel = |p: &[u8]| {
+        let alpha = if cut.is_some() { f32::from(p[3]) / 255.0 } else { 1.0 };
+        [0, 1, 2].map(|c| paper + (f32::from(p[c]) / 255.0 - paper) * alpha)
     };
-    let strength = |&(luma, alpha): &(f32, f32)| match polarity {
-        _ if silhouette => alpha,
-        Polarity::LightInk => luma * alpha,
-        _ => (1.0 - luma) * alpha,
+    let colours: Vec<[f32; 3]> = picture.rgba.chunks_exact(4).map(pixel).collect();
+    let image = |data: Vec<f32>| Image { width, height, data };
+    let lumas = || colours.iter().map(|&colour| luma(colour));
+    let mut inside = None;
+    let (polarity, because) = match (asked, shade) {
+        (Polarity::Auto, Some(shade)) if luma(shade) > 0.5 => (Polarity::LightInk, Because::Transparent),
+        (Polarity::Auto, _) if cut.is_some() => (Polarity::DarkInk, Because::Transparent),
+        _ => {
+            let of = |light: bool| if light { Polarity::DarkInk } else { Polarity::LightInk };
+            let found = if cut.is_some() { None } else { sheet(&image(lumas().collect()), LEAST_SHEET) };
+            match (asked, found) {
+                (_, Some((mask, light))) if asked == Polarity::Auto || asked == of(light) => {
+                    inside = Some(mask);
+                    (of(light), Because::Sheet)
+                }
+                (Polarity::Auto, _) => guess_polarity(&lumas().collect::<Vec<_>>(), width, height),
+                _ => (asked, Because::Said),
+            }
+        }
     };
-    let mut image = Image { width, height, data: pixels.iter().map(strength).collect() };
-    if !stretch(&mut image) {
+    let mut ground = Ground { polarity, because, colour: [paper; 3], ink: [1.0 - paper; 3] };
+    let mut found = image(match shade {
+        Some(_) => picture.rgba.chunks_exact(4).map(|p| f32::from(p[3]) / 255.0).collect(),
+        None if polarity == Polarity::LightInk => lumas().collect(),
+        None => lumas().map(|luma| 1.0 - luma).collect(),
+    });
+    let mut contrast = stretch(&mut found, inside.as_ref());
+    if shade.is_none() && contrast < PALE {
+        let (strengths, natural) = coloured(&colours, asked);
+        let mut other = image(strengths);
+        let more = stretch(&mut other, None);
+        if more > MORE_IN_COLOUR * contrast {
+            (found, contrast) = (other, more);
+            ground =
+                Ground { polarity: natural, because: if cut.is_some() { because } else { Because::Most }, ..ground };
+        }
+    }
+    if contrast == 0.0 {
         // One shade: black is ink, unless light ink was asked for.
-        let full = |&(luma, alpha): &(f32, f32)| if asked == Polarity::LightInk { luma } else { 1.0 - luma } * alpha;
-        if pixels.iter().map(full).sum::<f32>() > 0.5 * pixels.len() as f32 {
+        let full = lumas().map(|luma| if asked == Polarity::LightInk { luma } else { 1.0 - luma }).sum::<f32>();
+        if full > 0.5 * colours.len() as f32 {
             return fail("is inked all over", "use a drawing with ground around its ink");
         }
         return fail("is blank", "draw something, with more contrast if it is faint");
     }
-    let inked = image.data.iter().filter(|&&value| value > 0.5).count();
+    let inked = found.data.iter().filter(|&&value| value > 0.5).count();
     if inked < MIN_INK_PIXELS {
         let pixels = if inked == 1 { "one pixel".to_owned() } else { format!("{inked} pixels") };
         return fail(&format!("has only {pixels} of ink"), "draw at least a short line");
     }
-    if inked as f64 > 0.985 * image.data.len() as f64 {
+    if inked as f64 > 0.985 * found.data.len() as f64 {
         return fail("is inked all over", "use a drawing with ground around its ink, or the other polarity");
     }
-    Ok((image, polarity))
+    let inside = |i: usize| inside.as_ref().is_none_or(|inside| inside.data[i]);
+    let those = |of: &dyn Fn(f32) -> bool| {
+        mean((0..colours.len()).filter(|&i| inside(i) && of(found.data[i])).map(|i| colours[i]))
+    };
+    ground.ink = shade.unwrap_or_else(|| those(&|value| value > 0.9));
+    if because != Because::Transparent {
+        ground.colour = those(&|value| value < 0.1);
+    }
+    Ok((found, ground))
 }
 
-/// The shade of everything that is not transparent, if it has only one.
-fn solid_shade(pixels: &[(f32, f32)]) -> Option<f32> {
-    let opaque = || pixels.iter().filter(|&&(_, alpha)| alpha >= 0.5).map(|&(luma, _)| luma);
-    let (low, high) = opaque().fold((f32::MAX, f32::MIN), |(low, high), luma| (low.min(luma), high.max(luma)));
-    (high - low < 0.25).then_some(0.5 * (low + high))
+/// How far each pixel is on the way from the dominant colour to that of what stands out from it, in units of the full range,
+/// and which polarity that is; the other way round if the other one is `asked` for.
+fn coloured(colours: &[[f32; 3]], asked: Polarity) -> (Vec<f32>, Polarity) {
+    let ground = dominant(colours);
+    let off = || colours.iter().map(|&colour| apart(colour, ground));
+    let threshold = otsu(off());
+    let ink = mean(colours.iter().copied().filter(|&colour| apart(colour, ground) > threshold));
+    let natural = if luma(ink) < luma(ground) { Polarity::DarkInk } else { Polarity::LightInk };
+    let (from, to, polarity) = match asked {
+        Polarity::Auto => (ground, ink, natural),
+        asked if asked == natural => (ground, ink, asked),
+        asked => (ink, ground, asked),
+    };
+    let way = apart(from, to).max(1e-6);
+    let along = |colour: [f32; 3]| (0..3).map(|c| (colour[c] - from[c]) * (to[c] - from[c])).sum::<f32>() / (3.0 * way);
+    (colours.iter().map(|&colour| along(colour)).collect(), polarity)
 }
 
 /// Dark ink if most of the border is light, or, where the border is undecided, most of the picture.
-fn guess_polarity(pixels: &[(f32, f32)], width: usize, height: usize) -> Polarity {
-    let threshold = otsu(pixels.iter().map(|&(luma, _)| luma));
-    let light_share = |chosen: &dyn Fn(usize, usize) -> bool| {
+fn guess_polarity(lumas: &[f32], width: usize, height: usize) -> (Polarity, Because) {
+    let threshold = otsu(lumas.iter().copied());
+    let light_share = |chosen: &dyn Fn(usize) -> bool| {
         let (mut light, mut all) = (0usize, 0usize);
-        for (i, &(luma, _)) in pixels.iter().enumerate() {
-            if chosen(i % width, i / width) {
-                light += usize::from(luma > threshold);
-                all += 1;
-            }
+        for i in (0..lumas.len()).filter(|&i| chosen(i)) {
+            light += usize::from(lumas[i] > threshold);
+            all += 1;
         }
         light as f64 / all as f64
     };
-    let rim = (width.min(height) / 50).max(1);
-    let border = light_share(&|x, y| x < rim || y < rim || x + rim >= width || y + rim >= height);
-    let light = if (0.35..=0.65).contains(&border) { light_share(&|_, _| true) } else { border };
-    if light >= 0.5 { Polarity::DarkInk } else { Polarity::LightInk }
+    let border = light_share(&|i| is_rim(i, width, height, (width.min(height) / 50).max(1)));
+    let undecided = (0.35..=0.65).contains(&border);
+    let light = if undecided { light_share(&|_| true) } else { border };
+    let because = if undecided { Because::Most } else { Because::Border };
+    (if light >= 0.5 { Polarity::DarkInk } else { Polarity::LightInk }, because)
 }
 
 /// Otsu's threshold (1979) of values in 0 to 1, halfway between the two classes' means; 0.5 for a single value.
@@ -232,27 +313,30 @@ pub(super) fn otsu(values: impl Iterator<Item = f32>) -> f32 {
     best.1 as f32
 }
 
-/// Stretches strengths so that ground is 0 and ink 1; `false`, and nothing done, if they hardly differ.
-fn stretch(image: &mut Image) -> bool {
-    let threshold = otsu(image.data.iter().copied());
-    let ground = ground_level(image, threshold);
+/// Stretches strengths so that ground is 0 and ink 1; the contrast there was. 0, and nothing done, if they hardly differ.
+/// What is not `inside` is no ink.
+fn stretch(image: &mut Image, inside: Option<&Mask>) -> f32 {
+    let within = |i: usize| inside.is_none_or(|inside| inside.data[i]);
+    let threshold = otsu((0..image.data.len()).filter(|&i| within(i)).map(|i| image.data[i]));
+    let ground = ground_level(image, threshold, &within);
     let mut strokes: Vec<f32> = Vec::new();
     let mut noise: Vec<f32> = Vec::new();
-    for (value, ground) in image.data.iter().zip(&ground.data) {
-        let above = value - ground;
-        if *value > threshold { strokes.push(above) } else { noise.push(above.abs()) }
+    for i in (0..image.data.len()).filter(|&i| within(i)) {
+        let above = image.data[i] - ground.data[i];
+        if image.data[i] > threshold { strokes.push(above) } else { noise.push(above.abs()) }
     }
     // Hair lines seldom fill a pixel, so ink is the upper end of what is drawn, not its middle.
     let contrast = quantile(&mut strokes, 0.8);
     if strokes.is_empty() || noise.is_empty() || contrast < MIN_CONTRAST {
-        return false;
+        return 0.0;
     }
     // Three standard deviations of the paper's grain (1.48 median deviations each, were it Gaussian); 0 when clean.
     let grain = (3.0 * 1.4826 * quantile(&mut noise, 0.5)).min(0.3 * contrast);
-    for (value, ground) in image.data.iter_mut().zip(&ground.data) {
-        *value = ((*value - ground - grain) / (contrast - grain)).clamp(0.0, 1.0);
+    for (i, (value, ground)) in image.data.iter_mut().zip(&ground.data).enumerate() {
+        let strength = ((*value - ground - grain) / (contrast - grain)).clamp(0.0, 1.0);
+        *value = if within(i) { strength } else { 0.0 };
     }
-    true
+    contrast
 }
 
 /// The value below which `share` of the values lie; reorders them. 0 without values.
@@ -265,8 +349,8 @@ pub(super) fn quantile(values: &mut [f32], share: f64) -> f32 {
 }
 
 /// The paper's level at each pixel: the median of what is below `threshold` in tiles of a sixteenth of the picture,
-/// tiles full of ink filled in from their neighbours, bilinear in between.
-fn ground_level(image: &Image, threshold: f32) -> Image {
+/// tiles full of ink or outside filled in from their neighbours, bilinear in between.
+fn ground_level(image: &Image, threshold: f32, within: &dyn Fn(usize) -> bool) -> Image {
     let side = image.width.max(image.height).div_ceil(16);
     let (columns, rows) = (image.width.div_ceil(side), image.height.div_ceil(side));
     let mut below = Vec::new();
@@ -276,8 +360,8 @@ fn ground_level(image: &Image, threshold: f32) -> Image {
         let (right, bottom) = (image.width.min(left + side), image.height.min(top + side));
         below.clear();
         for y in top..bottom {
-            let row = &image.data[y * image.width..][left..right];
-            below.extend(row.iter().filter(|&&value| value <= threshold));
+            let row = (y * image.width + left..y * image.width + right).filter(|&i| within(i));
+            below.extend(row.map(|i| image.data[i]).filter(|&value| value <= threshold));
         }
         let enough = below.len() * 4 >= (right - left) * (bottom - top);
         tiles.push(enough.then(|| quantile(&mut below, 0.5)));
@@ -340,9 +424,9 @@ mod tests {
     }
 
     fn found(pixel: impl Fn(usize, usize) -> [u8; 4]) -> (f32, Polarity) {
-        let (image, polarity) = ink(&picture(pixel), Polarity::Auto).unwrap();
+        let (image, ground) = ink(&picture(pixel), Polarity::Auto).unwrap();
         assert!(image.data.iter().all(|value| (0.0..=1.0).contains(value)));
-        (difference(&image), polarity)
+        (difference(&image), ground.polarity)
     }
 
     #[test]
@@ -364,8 +448,8 @@ mod tests {
     #[test]
     fn the_polarity_can_be_given() {
         let dark = picture(|x, y| grey(1.0 - ring(x, y)));
-        let (image, polarity) = ink(&dark, Polarity::LightInk).unwrap();
-        assert_eq!(polarity, Polarity::LightInk);
+        let (image, ground) = ink(&dark, Polarity::LightInk).unwrap();
+        assert_eq!(ground.polarity, Polarity::LightInk);
         assert!((image.at(48, 48), image.at(18, 48)) == (1.0, 0.0), "the ground is now the ink");
     }
 
@@ -389,6 +473,119 @@ mod tests {
     }
 
     #[test]
+    fn ink_is_told_by_colour_where_lumas_are_alike() {
+        let mixed = |ground: [u8; 3], drawn: [u8; 3], noise: f32| {
+            let mut rng = Rng::new(7, 0);
+            let rgba: Vec<u8> = (0..SIDE * SIDE)
+                .flat_map(|i| {
+                    let share = ring(i % SIDE, i / SIDE);
+                    let grain = noise * (rng.unit() - 0.5) as f32;
+                    let mix =
+                        |c: usize| (f32::from(ground[c]) * (1.0 - share) + f32::from(drawn[c]) * share + grain).round();
+                    [mix(0) as u8, mix(1) as u8, mix(2) as u8, 255]
+                })
+                .collect();
+            ink(&Picture::new("drawing.png", SIDE, SIDE, rgba).unwrap(), Polarity::Auto).unwrap()
+        };
+        for (ground, colour, polarity) in [
+            ([255, 255, 255], [255, 255, 0], Polarity::DarkInk),
+            ([255, 255, 255], [140, 255, 255], Polarity::DarkInk),
+            ([0, 0, 0], [0, 0, 255], Polarity::LightInk),
+            ([180, 140, 100], [235, 120, 30], Polarity::DarkInk),
+            ([210, 60, 50], [40, 130, 60], Polarity::LightInk),
+        ] {
+            let (image, found) = mixed(ground, colour, 0.0);
+            assert!(difference(&image) < 4e-3, "{colour:?} on {ground:?}: {}", difference(&image));
+            assert_eq!(found.polarity, polarity, "{colour:?} on {ground:?}");
+            for (found, given) in [(found.colour, ground), (found.ink, colour)] {
+                assert!((0..3).all(|c| (255.0 * found[c] - f32::from(given[c])).abs() < 6.0), "{found:?} is {given:?}");
+            }
+            let (image, _) = mixed(ground, colour, 8.0);
+            assert!(difference(&image) < 0.04, "{colour:?} on grainy {ground:?}: {}", difference(&image));
+        }
+    }
+
+    #[test]
+    fn the_other_of_two_colours_can_be_asked_for() {
+        let yellow = picture(|x, y| [255, 255, (255.0 * (1.0 - ring(x, y))) as u8, 255]);
+        let (dark, _) = ink(&yellow, Polarity::DarkInk).unwrap();
+        let (light, ground) = ink(&yellow, Polarity::LightInk).unwrap();
+        assert_eq!((dark.at(48, 48), dark.at(18, 48)), (0.0, 1.0));
+        assert_eq!((light.at(48, 48), light.at(18, 48), ground.polarity), (1.0, 0.0, Polarity::LightInk));
+    }
+
+    #[test]
+    fn a_sheet_on_a_desk_is_ground_and_the_desk_is_not() {
+        // Corners of the sheet, clockwise: straight, askew, in perspective, on a corner.
+        let sheets = [
+            [[6.0, 9.0], [90.0, 9.0], [90.0, 88.0], [6.0, 88.0]],
+            [[20.0, 4.0], [92.0, 16.0], [80.0, 93.0], [5.0, 80.0]],
+            [[14.0, 8.0], [84.0, 8.0], [94.0, 90.0], [2.0, 90.0]],
+            [[48.0, 3.0], [93.0, 48.0], [48.0, 93.0], [3.0, 48.0]],
+        ];
+        for corners in sheets {
+            let on_paper = |x: usize, y: usize| {
+                (0..4).all(|k: usize| {
+                    let ([ax, ay], [bx, by]): ([f32; 2], [f32; 2]) = (corners[k], corners[(k + 1) % 4]);
+                    (x as f32 + 0.5 - ax) * (ay - by) + (y as f32 + 0.5 - ay) * (bx - ax) > 0.0
+                })
+            };
+            let line = |x: usize, y: usize| (((x as f32 - 48.0).hypot(y as f32 - 48.0)) - 18.0).abs() < 2.0;
+            let shade = |x: usize, y: usize| match (on_paper(x, y), line(x, y)) {
+                (false, _) => 0.15,
+                (true, true) => 0.1,
+                (true, false) => 0.75 + 0.002 * x as f32,
+            };
+            let (image, ground) = ink(&picture(|x, y| grey(shade(x, y))), Polarity::Auto).unwrap();
+            assert_eq!((ground.because, ground.polarity), (Because::Sheet, Polarity::DarkInk), "{corners:?}");
+            let wrong = (0..SIDE * SIDE).filter(|&i| (image.data[i] > 0.5) != line(i % SIDE, i / SIDE)).count();
+            assert!(wrong < 12, "{corners:?}: {wrong} px wrong");
+            if corners == sheets[3] {
+                continue;
+            }
+            // Chalk on a board in a light frame, where the board is most of the picture.
+            let (image, ground) = ink(&picture(|x, y| grey(0.9 - shade(x, y))), Polarity::Auto).unwrap();
+            assert_eq!(ground.because, Because::Sheet, "{corners:?}");
+            assert!(image.at(30, 48) > 0.9 && image.at(48, 48) == 0.0 && ground.polarity == Polarity::LightInk);
+        }
+    }
+
+    #[test]
+    fn solid_things_with_holes_on_plain_ground_are_no_sheets() {
+        let round = |x: usize, y: usize, r: f32| (x as f32 - 47.5).hypot(y as f32 - 47.5) < r;
+        let ring = picture(|x, y| grey(f32::from(!round(x, y, 46.0) || round(x, y, 10.0))));
+        let square = picture(|x, y| grey(f32::from(x.min(y) < 10 || x.max(y) > 85)));
+        let corner = picture(|x, y| grey(f32::from(x > 60 && y > 40 || x < 6 || y < 4)));
+        for thing in [ring, square, corner] {
+            let (_, ground) = ink(&thing, Polarity::Auto).unwrap();
+            assert_ne!(ground.because, Because::Sheet);
+        }
+    }
+
+    #[test]
+    fn soft_edges_of_cut_out_ink_may_have_any_colour_and_stray_alpha_says_nothing() {
+        let alpha = |x, y| (255.0 * ring(x, y)).round() as u8;
+        for edge in [[0, 0, 0], [255, 0, 255]] {
+            let (error, polarity) = found(|x, y| match alpha(x, y) {
+                255 => [255, 255, 255, 255],
+                alpha => [edge[0], edge[1], edge[2], alpha],
+            });
+            assert!(error < 2e-3 && polarity == Polarity::LightInk, "edge {edge:?}: {error}");
+        }
+        let (error, _) = found(|x, y| [alpha(x, y), alpha(x, y), alpha(x, y), alpha(x, y)]);
+        assert!(error < 2e-3, "multiplied in: {error}");
+        let (error, polarity) = found(|x, y| {
+            let [r, g, b, _] = grey(1.0 - ring(x, y));
+            [r, g, b, if y == 0 && x < 2 { 40 } else { 255 }]
+        });
+        assert!(error < 2e-3 && polarity == Polarity::DarkInk, "two stray pixels: {error}");
+        // Yellow lines on white paper that was cut out are drawn on it.
+        let inside = |x: usize, y: usize| (x as f32 - 47.5).hypot(y as f32 - 47.5) < 44.0;
+        let (error, _) = found(|x, y| [255, 255, 255 - alpha(x, y), if inside(x, y) { 255 } else { 0 }]);
+        assert!(error < 4e-3, "{error}");
+    }
+
+    #[test]
     fn scans_become_ink_and_ground() {
         let mut rng = Rng::new(4, 0);
         let noise: Vec<f32> = (0..SIDE * SIDE).map(|_| (rng.unit() - 0.5) as f32 * 0.06).collect();
@@ -407,8 +604,8 @@ mod tests {
     #[test]
     fn ink_on_the_border_and_solid_areas_are_borne() {
         // A solid half that touches three borders.
-        let (image, polarity) = ink(&picture(|x, _| grey(if x < 30 { 0.0 } else { 1.0 })), Polarity::Auto).unwrap();
-        assert_eq!((polarity, image.at(5, 50), image.at(60, 50)), (Polarity::DarkInk, 1.0, 0.0));
+        let (image, ground) = ink(&picture(|x, _| grey(if x < 30 { 0.0 } else { 1.0 })), Polarity::Auto).unwrap();
+        assert_eq!((ground.polarity, image.at(5, 50), image.at(60, 50)), (Polarity::DarkInk, 1.0, 0.0));
         // A solid disc of ink, 80% of the picture's width.
         let disc = |x: usize, y: usize| (x as f32 - 47.5).hypot(y as f32 - 47.5) < 38.0;
         let (image, _) = ink(&picture(|x, y| grey(if disc(x, y) { 0.2 } else { 0.9 })), Polarity::Auto).unwrap();

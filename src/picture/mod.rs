@@ -1,5 +1,7 @@
 //! Pictures as people bring them: decoding, ink, masks, the object in a picture; patterns by formula.
 
+mod colour;
+mod cutout;
 mod ink;
 mod mask;
 mod object;
@@ -7,11 +9,12 @@ mod patterns;
 #[cfg(feature = "cli")]
 mod read;
 mod reading;
+mod sheet;
 mod strokes;
 #[cfg(feature = "cli")]
 mod write;
 
-pub use ink::{MAX_PICTURE_PIXELS, Picture, Polarity, ink};
+pub use ink::{Because, Ground, MAX_PICTURE_PIXELS, Picture, Polarity, ink};
 pub use mask::{Components, Mask, NOWHERE};
 pub use object::{OBJECT_PX, Object, Parts, find_object};
 pub use patterns::Pattern;

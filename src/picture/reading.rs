@@ -1,6 +1,6 @@
 //! How ink is read from a picture: which shade is ink, and from which strength on.
 
-use super::{Picture, Polarity, ink};
+use super::{Ground, Picture, Polarity, ink};
 use crate::view::Image;
 use crate::{Error, Result};
 
@@ -21,23 +21,23 @@ const MOST_INKED: f64 = 0.985;
 const LEAST_SLOPE: f32 = 0.1;
 
 impl Reading {
-    /// The ink of a picture, 0 (ground) to 1 (ink), and its polarity (never [`Polarity::Auto`]).
+    /// The ink of a picture, 0 (ground) to 1 (ink), and its ground.
     ///
     /// # Errors
     /// As [`ink`]; [`Error::Setting`] for a threshold out of range; [`Error::Picture`] where it leaves nothing, or
     /// nothing but ink.
-    pub fn of(&self, picture: &Picture) -> Result<(Image, Polarity)> {
+    pub fn of(&self, picture: &Picture) -> Result<(Image, Ground)> {
         if !(0.0..=1.0).contains(&self.threshold) {
             let problem = format!("{} is not a strength of ink", self.threshold);
             return Err(Error::setting("threshold", problem, "give a number from 0 to 1"));
         }
-        let (mut image, polarity) = ink(picture, self.polarity)?;
+        let (mut image, ground) = ink(picture, self.polarity)?;
         if self.threshold > 0.0 {
             let [low, high] = THRESHOLDS;
             image = cut(&image, self.threshold.clamp(low, high));
             check(picture.name(), &image)?;
         }
-        Ok((image, polarity))
+        Ok((image, ground))
     }
 }
 
@@ -118,7 +118,7 @@ mod tests {
     fn what_leaves_nothing_or_everything_is_refused_by_name() {
         let faint = picture(|x, y| 0.45 * f32::from(x.abs_diff(48) < 3 || y.abs_diff(48) < 3));
         let light = Reading { polarity: Polarity::LightInk, threshold: 0.5 };
-        assert_eq!(light.of(&picture(strength)).unwrap().1, Polarity::LightInk);
+        assert_eq!(light.of(&picture(strength)).unwrap().1.polarity, Polarity::LightInk);
         // Ink is stretched to full strength first, so even a faint cross is there at any threshold.
         assert!(Reading { threshold: 1.0, ..Reading::default() }.of(&faint).is_ok());
         for threshold in [-0.1, 1.1, f32::NAN] {

@@ -48,8 +48,8 @@ pub fn read_ink(
     let mut settings = Settings::default();
     settings.set("ink", ink)?;
     let reading = Reading { polarity: Polarity::from(settings.ink), threshold };
-    let (image, polarity) = reading.of(&Picture::new(name, width, height, rgba)?)?;
-    Ok(FoundInk { ink: Ink::new(&image), is_light: polarity == Polarity::LightInk })
+    let (image, ground) = reading.of(&Picture::new(name, width, height, rgba)?)?;
+    Ok(FoundInk { ink: Ink::new(&image), is_light: ground.polarity == Polarity::LightInk })
 }
 
 /// What the ink finder saw.

@@ -1,13 +1,18 @@
 //! A picture's colours, its ground and what stands out from it.
 
 use super::super::Picture;
+use super::super::colour::{distance, oklab};
+use super::super::cutout::CutOut;
 use super::super::ink::{otsu, quantile};
-use crate::picture::Ink;
+use super::super::sheet::{is_rim, sheet};
+use crate::picture::{Ink, Mask};
 use crate::view::Image;
 use crate::{Error, Result};
 
 /// Least distance from the ground's colour, in Oklab units (black to white is 1), that can be told from noise.
 const LEAST_DISTANCE: f32 = 0.04;
+/// Least share of the picture that a sheet covers: what is smaller is an object that stands out.
+const LEAST_SHEET: f64 = 0.7;
 /// A border that differs this much from a smooth ground in a fifth of its pixels is busy.
 const BUSY: f32 = 0.05;
 
@@ -17,27 +22,40 @@ pub struct Pixels {
     pub height: usize,
     pub lab: Vec<[f32; 3]>,
     pub alpha: Vec<f32>,
+    /// Whether the picture is transparent in part.
+    pub is_cut_out: bool,
+    /// Where a sheet is that does not fill the picture.
+    sheet: Option<Mask>,
 }
 
 impl Pixels {
     pub fn new(picture: &Picture) -> Pixels {
         let each = || picture.rgba().chunks_exact(4);
-        Pixels {
-            width: picture.width(),
-            height: picture.height(),
-            lab: each().map(|p| oklab([p[0], p[1], p[2]])).collect(),
-            alpha: each().map(|p| f32::from(p[3]) / 255.0).collect(),
-        }
+        let cut = CutOut::of(picture);
+        // Where alpha is the drawing, its soft edges may have any colour.
+        let shade = cut.and_then(|cut| cut.shade).map(|shade| shade.map(|value| (255.0 * value).round() as u8));
+        let lab: Vec<[f32; 3]> =
+            each().map(|p| oklab(shade.filter(|_| p[3] < 255).unwrap_or([p[0], p[1], p[2]]))).collect();
+        let (width, height) = (picture.width(), picture.height());
+        let lightness = || Image { width, height, data: lab.iter().map(|lab| lab[0].clamp(0.0, 1.0)).collect() };
+        let sheet = if cut.is_some() { None } else { sheet(&lightness(), [LEAST_SHEET; 2]).map(|(sheet, _)| sheet) };
+        let alpha = each().map(|p| if cut.is_some() { f32::from(p[3]) / 255.0 } else { 1.0 }).collect();
+        Pixels { width, height, lab, alpha, is_cut_out: cut.is_some(), sheet }
     }
 
     pub fn alpha_image(&self) -> Image {
         Image { width: self.width, height: self.height, data: self.alpha.clone() }
     }
 
-    fn is_border(&self, i: usize) -> bool {
+    /// Pixels where the ground ends: at the picture's border, or at the sheet's.
+    fn border(&self) -> Vec<usize> {
         let rim = (self.width.min(self.height) / 60).max(1);
-        let (x, y) = (i % self.width, i / self.width);
-        x < rim || y < rim || x + rim >= self.width || y + rim >= self.height
+        let depth = self.sheet.as_ref().map(|sheet| sheet.inverted().distance_px().data);
+        let is_border = |&i: &usize| {
+            let outermost = is_rim(i, self.width, self.height, rim);
+            depth.as_ref().map_or(outermost, |depth| depth[i] > 0.0 && (outermost || depth[i] <= rim as f32))
+        };
+        (0..self.lab.len()).filter(is_border).collect()
     }
 
     /// What transparent pictures are laid on: white, or black where all of the object is nearly white.
@@ -56,15 +74,16 @@ impl Pixels {
     }
 
     pub fn ground(&self) -> Ground {
-        let border: Vec<usize> = (0..self.lab.len()).filter(|&i| self.is_border(i)).collect();
-        Ground::fit(self, &border)
+        Ground::fit(self, &self.border())
     }
 
     /// How much of each pixel stands out from the ground.
     pub fn standing_out(&self, ground: &Ground, name: &str, notes: &mut Vec<String>) -> Result<Image> {
         let (width, height) = (self.width, self.height);
-        let data: Vec<f32> = (0..self.lab.len()).map(|i| distance(self.lab[i], ground.at(self, i))).collect();
-        let mut border: Vec<f32> = (0..data.len()).filter(|&i| self.is_border(i)).map(|i| data[i]).collect();
+        let within = |i: usize| self.sheet.as_ref().is_none_or(|sheet| sheet.data[i]);
+        let off = |i: usize| if within(i) { distance(self.lab[i], ground.at(self, i)) } else { 0.0 };
+        let data: Vec<f32> = (0..self.lab.len()).map(off).collect();
+        let mut border: Vec<f32> = self.border().into_iter().map(|i| data[i]).collect();
         let (usual, busy) = (quantile(&mut border, 0.5), quantile(&mut border, 0.8));
         let highest = data.iter().fold(0.0f32, |high, &d| high.max(d));
         // The ground's own unevenness is no object.
@@ -162,23 +181,4 @@ fn eliminate(rows: &mut [[f64; 7]; 4]) {
             (0..7).for_each(|c| rows[row][c] -= factor * rows[k][c]);
         }
     }
-}
-
-pub fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
-    (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f32>().sqrt()
-}
-
-fn oklab(rgb: [u8; 3]) -> [f32; 3] {
-    let [r, g, b] = rgb.map(|byte| {
-        let value = f32::from(byte) / 255.0;
-        if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-    });
-    let l = (0.412_221_46 * r + 0.536_332_55 * g + 0.051_445_995 * b).cbrt();
-    let m = (0.211_903_5 * r + 0.680_699_5 * g + 0.107_396_96 * b).cbrt();
-    let s = (0.088_302_46 * r + 0.281_718_85 * g + 0.629_978_7 * b).cbrt();
-    [
-        0.210_454_26 * l + 0.793_617_8 * m - 0.004_072_047 * s,
-        1.977_998_5 * l - 2.428_592_2 * m + 0.450_593_7 * s,
-        0.025_904_037 * l + 0.782_771_77 * m - 0.808_675_77 * s,
-    ]
 }

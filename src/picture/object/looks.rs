@@ -1,6 +1,7 @@
 //! How an object looks: its tone, what of it catches the eye, its highlights. Colours are Oklab's.
 
 use super::super::Mask;
+use super::super::colour::distance;
 use super::super::ink::quantile;
 use super::ground::{Ground, Pixels};
 use super::parts::filled;
@@ -32,33 +33,31 @@ const LIGHTER_ROUND_HIGHLIGHT: f32 = 0.08;
 /// See [`super::Object::tone`].
 pub fn tone(pixels: &Pixels, mask: &Image, drawn: bool, ground: &Ground) -> Image {
     let inside: Vec<usize> = (0..pixels.lab.len()).filter(|&i| mask.data[i] > 0.5).collect();
-    let median =
-        |value: &dyn Fn(usize) -> f32| quantile(&mut inside.iter().map(|&i| value(i)).collect::<Vec<_>>(), 0.5);
-    let ink = drawn || is_ink(pixels, &mask.threshold(0.5));
-    let light_ground = median(&|i| ground.at(pixels, i)[0]) > 0.5;
+    let ink = drawn || is_ink(pixels, mask);
+    let off = |i: usize| distance(pixels.lab[i], ground.at(pixels, i));
+    // Ink is ink in any colour.
+    let full = quantile(&mut inside.iter().map(|&i| off(i)).collect::<Vec<_>>(), 0.95).max(1e-3);
     let tone = |i: usize| {
-        let (shade, ground) = (pixels.lab[i][0], ground.at(pixels, i)[0].clamp(0.0, 1.0));
-        // A ground of middle grey leaves room on one side only: count from the far end.
-        let tone = match (ink, light_ground) {
-            (false, _) => 1.0 - shade,
-            (true, true) => (ground - shade) / ground.max(0.5),
-            (true, false) => (shade - ground) / (1.0 - ground).max(0.5),
-        };
+        let tone = if ink { off(i) / full } else { 1.0 - pixels.lab[i][0] };
         tone.clamp(0.0, 1.0) * mask.data[i]
     };
     Image { width: pixels.width, height: pixels.height, data: (0..pixels.lab.len()).map(tone).collect() }
 }
 
 /// Of one shade, and slender (letters, signs) or white (a logo on dark ground).
-fn is_ink(pixels: &Pixels, solid: &Mask) -> bool {
-    let inside = || (0..solid.data.len()).filter(|&i| solid.data[i]);
+fn is_ink(pixels: &Pixels, mask: &Image) -> bool {
+    let solid = mask.threshold(0.5);
+    // Soft edges are mixed with the ground.
+    let full = mask.threshold(0.9);
+    let unmixed = if 4 * full.count() > solid.count() { &full } else { &solid };
+    let inside = || (0..solid.data.len()).filter(|&i| unmixed.data[i]);
     let shade = |share: f64| quantile(&mut inside().map(|i| pixels.lab[i][0]).collect::<Vec<_>>(), share);
     if shade(0.95) - shade(0.05) > ONE_SHADE {
         return false;
     }
     let chroma = quantile(&mut inside().map(|i| pixels.lab[i][1].hypot(pixels.lab[i][2])).collect::<Vec<_>>(), 0.5);
     let deepest = solid.inverted().distance_px().data.into_iter().fold(0.0, f32::max);
-    2.0 * deepest <= SLENDER * longer_side(solid) || shade(0.5) > WHITE && chroma < COLOURLESS
+    2.0 * deepest <= SLENDER * longer_side(&solid) || shade(0.5) > WHITE && chroma < COLOURLESS
 }
 
 /// See [`super::Object::saliency`].

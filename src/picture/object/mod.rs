@@ -23,8 +23,8 @@ pub struct Object {
     /// The object's body, 0 to 1: the mask, with its holes filled where the object is drawn in lines.
     pub body: Image,
     /// How dark each pixel is, 0 to 1; 0 outside the mask. Where the object is ink (drawn in lines, or of one shade and
-    /// slender or white) that is how much it stands out from its ground, black on white or white on black; else how
-    /// dark it is in itself: a yellow ball stays light on any ground.
+    /// slender or white) that is how much it stands out from its ground, in whatever colour; else how dark it is in
+    /// itself: a yellow ball stays light on any ground.
     pub tone: Image,
     /// How much each pixel catches the eye, 0 to 1: how much its colour differs from what surrounds it in the object, at
     /// several scales (centre and surround; Itti, Koch and Niebur 1998). 0 all over where nothing does.
@@ -57,7 +57,7 @@ pub fn find_object(picture: &Picture, mask: Option<&Image>, object: usize) -> Re
     let mut notes = Vec::new();
     let (whole, ground) = match mask {
         Some(mask) => (mask.resized(pixels.width, pixels.height), pixels.ground_under(mask)),
-        None if pixels.alpha.iter().any(|&alpha| alpha < 0.5) => (pixels.alpha_image(), pixels.paper()),
+        None if pixels.is_cut_out => (pixels.alpha_image(), pixels.paper()),
         None => {
             let ground = pixels.ground();
             (pixels.standing_out(&ground, picture.name(), &mut notes)?, ground)
