@@ -64,6 +64,11 @@ fn every_format_gives_the_same_ink() {
     assert!(difference(&ink(&encoded(&grey.to_luma16().into(), ImageFormat::Png))) < 1e-6, "16 bits");
     assert!(difference(&ink(&encoded(&grey.to_rgb16().into(), ImageFormat::Png))) < 1e-6, "16 bits, colour");
     assert!(difference(&ink(&encoded(&grey.to_rgba8().into(), ImageFormat::WebP))) < 1e-6);
+    let rgb = DynamicImage::from(grey.to_rgb8());
+    for format in [ImageFormat::Gif, ImageFormat::Bmp, ImageFormat::Tiff] {
+        assert!(difference(&ink(&encoded(&rgb, format))) < 1e-6, "{format:?}");
+    }
+    assert!(difference(&ink(&encoded(&grey.to_luma16().into(), ImageFormat::Tiff))) < 1e-6, "TIFF of 16 bits");
     let lossy = difference(&ink(&jpeg(letter())));
     assert!(lossy < 0.01, "{lossy}");
     let alpha = RgbaImage::from_fn(WIDTH, HEIGHT, |x, y| image::Rgba([20, 20, 20, 255 - letter().get_pixel(x, y)[0]]));
@@ -106,8 +111,68 @@ fn damaged_and_foreign_files_are_refused_in_words() {
         }
     }
     assert!(refuse(b"").contains("empty"));
-    assert!(refuse(b"<svg xmlns='http://www.w3.org/2000/svg'/>").contains("PNG, JPEG or WebP"));
-    assert!(refuse(b"GIF89a\x01\0\x01\0\0\0\0;").contains("PNG, JPEG or WebP"));
+    assert!(refuse(b"<svg xmlns='http://www.w3.org/2000/svg'/>").contains("shows nothing"));
+    assert!(refuse(b"GIF89a\x01\0\x01\0\0\0\0;").contains("damaged or cut off"));
+    assert!(refuse(b"solid key\nfacet normal 0 0 1").contains("PNG, JPEG, WebP, GIF, BMP, TIFF or SVG"));
+    for (bytes, words) in [
+        (&b"\0\0\0\x18ftypheic\0\0\0\0mif1heic"[..], ["HEIC", "JPEG"]),
+        (b"\0\0\0\x20ftypavif\0\0\0\0", ["AVIF", "page"]),
+        (b"\0\0\0\x20ftypisom\0\0\0\0", ["a film", "still picture"]),
+        (b"%PDF-1.7\n", ["PDF", "export"]),
+        (b"8BPS\0\x01", ["Photoshop", "PNG"]),
+        (b"PK\x03\x04\x14\0", ["archive", "unpack"]),
+        (b"<!DOCTYPE html><html>", ["web page", "picture"]),
+    ] {
+        let text = refuse(bytes);
+        assert!(words.iter().all(|word| text.contains(word)), "{text}");
+    }
+}
+
+/// The letter as an SVG of its own size, drawn large.
+const LETTER_SVG: &str = "<?xml version='1.0'?><!-- a letter -->
+<svg xmlns='http://www.w3.org/2000/svg' width='60' height='40'><path d='M10 5h8v23h22v7h-30z'/></svg>";
+
+#[test]
+fn an_svg_is_drawn_without_fonts_and_other_files() {
+    let found = ink(LETTER_SVG.as_bytes());
+    assert_eq!((found.width, found.height), (1024, 683));
+    assert!(difference(&found.resized(60, 40)) < 0.01, "{}", difference(&found.resized(60, 40)));
+    let read = |text: &str| picture::decode_picture("letter.svg", text.as_bytes());
+    let words = "<text x='1' y='30'>words</text></svg>";
+    let noted = read(&LETTER_SVG.replace("</svg>", words)).unwrap();
+    assert!(noted.notes()[0].contains("convert text to paths"), "{:?}", noted.notes());
+    let only_words = read(&format!("<svg xmlns='http://www.w3.org/2000/svg'>{words}")).unwrap_err().to_string();
+    assert!(only_words.contains("convert its text to paths"), "{only_words}");
+    let outside = LETTER_SVG.replace("</svg>", "<image href='tests/strokes/ball.png' width='60' height='40'/></svg>");
+    assert_eq!(ink(outside.as_bytes()), found, "no other file is opened");
+    assert!(read("<svg xmlns='http://www.w3.org/2000/svg'><path d=").unwrap_err().is_bad_input());
+}
+
+#[test]
+fn what_follows_a_jpeg_does_not_matter_and_what_lacks_does() {
+    let whole = jpeg(letter());
+    let with = |more: &[u8]| picture::decode_picture("letter.jpg", &[&whole, more].concat()).unwrap();
+    let plain = with(b"");
+    assert_eq!(with(b"\0\0\0\x18ftypmp42 a film \xff\xda that is none"), plain);
+    assert_eq!(with(&whole), plain);
+    let unended = &whole[..whole.len() - 2];
+    assert_eq!(picture::decode_picture("letter.jpg", unended).unwrap(), plain);
+    for lost in [24, 60, 200] {
+        let cut = picture::decode_picture("letter.jpg", &whole[..whole.len() - lost]).unwrap_err().to_string();
+        assert!(cut.contains("cut off"), "{lost}: {cut}");
+    }
+}
+
+#[test]
+fn a_photo_of_more_than_fifty_megapixels_is_scaled_down_and_it_is_said() {
+    let photo = GrayImage::from_fn(8160, 6144, |x, y| Luma([if x.abs_diff(y) < 400 { 30 } else { 220 }]));
+    let picture = picture::decode_picture("photo.jpg", &with_exif(&jpeg(photo), 6)).unwrap();
+    assert_eq!((picture.width(), picture.height()), (1536, 2040));
+    assert_eq!(picture.shrunk_from(), Some([6144, 8160]));
+    assert!(picture.notes()[0].contains("6144 x 8160 px") && picture.notes()[0].contains("scaled down"));
+    let (image, _) = picture::ink(&picture, Polarity::Auto).unwrap();
+    let share = image.data.iter().sum::<f32>() / image.data.len() as f32;
+    assert!((share - 0.096).abs() < 0.004, "{share}");
 }
 
 #[test]
@@ -192,8 +257,8 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 256, rng_seed: RngSeed::Fixed(4), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_bytes_never_panic(start in 0usize..5, bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-        let starts: [&[u8]; 5] = [b"", b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff\xe0", b"RIFF\x40\0\0\0WEBPVP8L", b"RIFF\x40\0\0\0WEBPVP8 "];
+    fn random_bytes_never_panic(start in 0usize..9, bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        let starts: [&[u8]; 9] = [b"GIF89a", b"BM", b"II*\0", b"<svg ", b"", b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff\xe0", b"RIFF\x40\0\0\0WEBPVP8L", b"RIFF\x40\0\0\0WEBPVP8 "];
         let mut all = starts[start].to_vec();
         all.extend(bytes);
         if let Ok(picture) = picture::decode_picture("random", &all) {
@@ -203,12 +268,16 @@ proptest! {
 
     #[test]
     fn damaged_pictures_never_panic(
-        format in 0usize..3, changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
+        format in 0usize..7, changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
     ) {
         let grey = DynamicImage::from(letter());
         let mut bytes = match format {
             0 => encoded(&grey, ImageFormat::Png),
             1 => encoded(&grey.to_rgba8().into(), ImageFormat::WebP),
+            2 => encoded(&grey.to_rgb8().into(), ImageFormat::Gif),
+            3 => encoded(&grey.to_rgb8().into(), ImageFormat::Bmp),
+            4 => encoded(&grey.to_luma16().into(), ImageFormat::Tiff),
+            5 => LETTER_SVG.as_bytes().to_vec(),
             _ => with_exif(&jpeg(letter()), 5),
         };
         for (at, byte) in changes {

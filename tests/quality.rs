@@ -37,7 +37,7 @@ fn fit(set: &str, settings: &Settings) -> Figures {
     let drawings: Vec<Drawing> = files
         .iter()
         .filter(|file| file.is_file())
-        .map(|file| Drawing::new(&read_picture(file).unwrap(), None, settings).unwrap())
+        .map(|file| Drawing::new(&read_picture(file).unwrap(), None, settings).unwrap().0)
         .collect();
     let mut run = Run::start(plan(&drawings, settings).unwrap(), settings, &mut |_| true).unwrap();
     run.step(settings.iterations).unwrap();

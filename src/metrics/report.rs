@@ -1,6 +1,7 @@
 //! What `report.json` holds, field for field. Tasks fill it; `wire4d metrics` prints [`ResultReport`].
 
 use super::{PictureMatch, ShapeMetrics, SurfaceReport, length_over_lines, match_pictures, shape};
+use crate::picture::{Ground, Picture, Polarity};
 use crate::sculpture::{Sculpture, render};
 use crate::view::Image;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -31,6 +32,9 @@ pub struct Report {
     pub result: ResultReport,
     /// How the drawings were arranged.
     pub arrangement: Vec<ArrangementReport>,
+    /// How the pictures were read; whoever read them fills it in.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reading: Vec<ReadingReport>,
     /// What happened on the way.
     pub events: Vec<EventReport>,
 }
@@ -61,6 +65,41 @@ pub struct ArrangementReport {
     pub mirrored: bool,
     /// Quarter turns counter-clockwise, 0 to 3.
     pub quarter_turns: u8,
+}
+
+/// What was taken for ink and for ground in a picture.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReadingReport {
+    /// The picture, as the person knows it.
+    pub source: String,
+    /// `dark` or `light`: the ink against its ground.
+    pub ink: String,
+    /// Colours of ink and ground, `#rrggbb`.
+    pub colours: [String; 2],
+    /// Share of the picture that is ink, 0 to 1.
+    pub share: f64,
+    /// Which is the ground and why, in a sentence.
+    pub because: String,
+    /// What was done to the picture before, in sentences.
+    pub notes: Vec<String>,
+}
+
+impl ReadingReport {
+    /// How `picture` was read as `ink` on `ground`.
+    pub fn new(picture: &Picture, ink: &Image, ground: &Ground) -> ReadingReport {
+        let hex = |colour: [f32; 3]| {
+            let [r, g, b] = colour.map(|value| (255.0 * value).round() as u8);
+            format!("#{r:02x}{g:02x}{b:02x}")
+        };
+        ReadingReport {
+            source: picture.name().to_owned(),
+            ink: if ground.polarity == Polarity::LightInk { "light" } else { "dark" }.into(),
+            colours: [hex(ground.ink), hex(ground.colour)],
+            share: ink.data.iter().map(|&value| f64::from(value)).sum::<f64>() / ink.data.len() as f64,
+            because: ground.words(),
+            notes: picture.notes(),
+        }
+    }
 }
 
 /// Something that happened during the fit.

@@ -21,6 +21,9 @@ pub struct Picture {
     rgba: Vec<u8>,
     /// Width and height before it was averaged down.
     given: [usize; 2],
+    /// See [`Picture::is_measured`].
+    measured: bool,
+    notes: Vec<String>,
 }
 
 /// Which of two shades is the drawing.
@@ -51,7 +54,8 @@ impl Picture {
             let problem = format!("{} bytes of colour for {width} x {height} px", rgba.len());
             return Err(Error::picture(name, problem, "give four bytes a pixel"));
         }
-        let picture = Picture { name, width, height, rgba, given: [width, height] };
+        let given = [width, height];
+        let picture = Picture { name, width, height, rgba, given, measured: false, notes: Vec::new() };
         let factor = width.max(height).div_ceil(MAX_PICTURE_PX);
         Ok(if factor > 1 { picture.averaged(factor) } else { picture })
     }
@@ -59,6 +63,32 @@ impl Picture {
     /// The width and height it came with, if it was averaged down from a larger picture.
     pub fn shrunk_from(&self) -> Option<[usize; 2]> {
         (self.given != [self.width, self.height]).then_some(self.given)
+    }
+
+    /// With what is known of the file: its size, and whether its values may be a measure.
+    #[must_use]
+    pub fn as_given(self, given: [usize; 2], measured: bool) -> Picture {
+        Picture { given, measured, ..self }
+    }
+
+    /// Whether it comes from values of 16 bits: as a depth picture it may tell distances.
+    pub fn is_measured(&self) -> bool {
+        self.measured
+    }
+
+    /// With a sentence on what was left out of it.
+    #[must_use]
+    pub fn noted(mut self, note: &str) -> Picture {
+        self.notes.push(note.to_owned());
+        self
+    }
+
+    /// What a person should know about how it was read, in plain words.
+    pub fn notes(&self) -> Vec<String> {
+        let shrunk = self
+            .shrunk_from()
+            .map(|[width, height]| format!("{}: {width} x {height} px is more than is needed, scaled down", self.name));
+        shrunk.into_iter().chain(self.notes.iter().map(|note| format!("{}: {note}", self.name))).collect()
     }
 
     /// File or pad name as the person knows it.
@@ -104,12 +134,12 @@ impl Picture {
                 rgba.push(((sums[3] + count / 2) / count) as u8);
             }
         }
-        Picture { name: self.name.clone(), width, height, rgba, given: self.given }
+        Picture { width, height, rgba, name: self.name.clone(), notes: self.notes.clone(), ..*self }
     }
 }
 
-/// Whether a picture of this size may be decoded at all; to be asked before memory is.
-pub(super) fn check_size(name: &str, width: usize, height: usize) -> Result<()> {
+/// Whether a picture of this size is one at all.
+fn check_size(name: &str, width: usize, height: usize) -> Result<()> {
     if width == 0 || height == 0 {
         return Err(Error::picture(name, "has no pixels", "choose another picture"));
     }
@@ -145,6 +175,20 @@ pub struct Ground {
     pub colour: [f32; 3],
     /// The ink's.
     pub ink: [f32; 3],
+}
+
+impl Ground {
+    /// Which is the ground and why, in a sentence.
+    pub fn words(&self) -> String {
+        let shade = if self.polarity == Polarity::LightInk { "dark" } else { "light" };
+        match self.because {
+            Because::Transparent => "what is transparent is ground".into(),
+            Because::Border => format!("the {shade} shade is ground: the border is of it"),
+            Because::Most => format!("the {shade} colour is ground: most of the picture is of it"),
+            Because::Sheet => format!("the {shade} sheet is ground, and what is round it was left out"),
+            Because::Said => format!("the {shade} shade is ground, as was asked for"),
+        }
+    }
 }
 
 /// Why something was taken for the ground.
@@ -641,8 +685,7 @@ mod tests {
         let small = Picture::new("a", width, height, rgba).unwrap();
         assert_eq!((small.width(), small.height()), (1500, 4));
         assert_eq!(small.rgba()[..4], [85, 10, 20, 255]);
-        let two =
-            Picture { name: "b".into(), width: 2, height: 1, rgba: vec![200, 0, 0, 255, 0, 0, 0, 0], given: [2, 1] };
+        let two = Picture::new("b", 2, 1, vec![200, 0, 0, 255, 0, 0, 0, 0]).unwrap();
         assert_eq!(two.averaged(2).rgba, [200, 0, 0, 128], "transparent black does not darken");
     }
 }

@@ -19,7 +19,7 @@ pub use mask::{Components, Mask, NOWHERE};
 pub use object::{OBJECT_PX, Object, Parts, find_object};
 pub use patterns::Pattern;
 #[cfg(feature = "cli")]
-pub use read::{decode_picture, read_picture};
+pub use read::{decode_picture, read_depth, read_picture};
 pub use reading::Reading;
 pub use strokes::Ink;
 #[cfg(feature = "cli")]

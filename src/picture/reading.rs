@@ -1,6 +1,6 @@
 //! How ink is read from a picture: which shade is ink, and from which strength on.
 
-use super::{Ground, Picture, Polarity, ink};
+use super::{Ground, Ink, Picture, Polarity, ink};
 use crate::view::Image;
 use crate::{Error, Result};
 
@@ -20,7 +20,20 @@ const MOST_INKED: f64 = 0.985;
 /// Least change of strength a pixel that an edge is taken to have: what changes less is flat and falls to one side.
 const LEAST_SLOPE: f32 = 0.1;
 
+/// Side of the pictures that drawings are fitted at unless something else is asked for, px.
+const FIT_PX: usize = 256;
+
 impl Reading {
+    /// The ink of a drawing: as [`Reading::of`], with its thin lines kept through scaling down
+    /// ([`Ink::with_hair_lines`](super::Ink::with_hair_lines)).
+    ///
+    /// # Errors
+    /// As [`Reading::of`].
+    pub fn of_drawing(&self, picture: &Picture) -> Result<(Image, Ground)> {
+        let (ink, ground) = self.of(picture)?;
+        Ok((ink.with_hair_lines(FIT_PX), ground))
+    }
+
     /// The ink of a picture, 0 (ground) to 1 (ink), and its ground.
     ///
     /// # Errors

@@ -17,7 +17,17 @@ pub trait Ink {
     /// Discs of half the width are laid along the skeleton wherever such a disc does not fit into the ink; not nearer to
     /// ink where one fits than its radius, which spares the corners of wide strokes.
     fn with_min_stroke(&self, min_width_px: f32) -> Image;
+
+    /// A drawing that can be scaled down to `side_px` without losing its thin lines to averaging: those that would be
+    /// thinner than [`LEAST_WIDTH`] of a pixel there are redrawn that wide, as above. Specks, shorter than a few pixels
+    /// there, stay specks. Drawings of up to twice that size stay as they are.
+    fn with_hair_lines(&self, side_px: usize) -> Image;
 }
+
+/// Width at which a line is still traced wherever it lies between pixels, px.
+const LEAST_WIDTH: f32 = 0.85;
+/// Shortest line that is none of dust, px of the smaller picture.
+const SHORTEST: f32 = 4.0;
 
 impl Ink for Image {
     fn threshold(&self, level: f32) -> Mask {
@@ -26,23 +36,38 @@ impl Ink for Image {
     }
 
     fn with_min_stroke(&self, min_width_px: f32) -> Image {
-        let radius = 0.5 * min_width_px;
-        let ink = self.threshold(TRACE_LEVEL);
-        // From a pixel's centre to the border of the ink it is half a pixel less than to the next ground centre.
-        let to_ground = ink.inverted().distance_px();
-        let fits = to_ground.threshold(radius + 0.5 - 0.25);
-        let to_fitting = fits.distance_px();
-        let mut thin = ink.thin();
-        for (on, &distance) in thin.data.iter_mut().zip(&to_fitting.data) {
-            // As far again as the disc that fits reaches, and a radius more.
-            *on &= distance > 2.0 * radius;
-        }
-        let mut out = self.clone();
-        for i in (0..thin.data.len()).filter(|&i| thin.data[i]) {
-            add_disc(&mut out, centre_of_ink(self, i % self.width, i / self.width), radius);
-        }
-        out
+        redrawn(self, min_width_px, 0.0)
     }
+
+    fn with_hair_lines(&self, side_px: usize) -> Image {
+        let step = self.width.max(self.height) as f32 / side_px as f32;
+        if step <= 2.0 { self.clone() } else { redrawn(self, LEAST_WIDTH * step, SHORTEST * step) }
+    }
+}
+
+/// See [`Ink::with_min_stroke`]; lines whose skeleton is not longer than `shortest_px` stay.
+fn redrawn(image: &Image, min_width_px: f32, shortest_px: f32) -> Image {
+    let radius = 0.5 * min_width_px;
+    let ink = image.threshold(TRACE_LEVEL);
+    // From a pixel's centre to the border of the ink it is half a pixel less than to the next ground centre.
+    let to_ground = ink.inverted().distance_px();
+    let fits = to_ground.threshold(radius + 0.5 - 0.25);
+    let to_fitting = fits.distance_px();
+    let mut thin = ink.thin();
+    if shortest_px > 0.0 {
+        let lines = thin.components();
+        let long = |&label: &u32| label > 0 && lines.sizes[label as usize - 1] as f32 > shortest_px;
+        thin.data = lines.labels.iter().map(long).collect();
+    }
+    for (on, &distance) in thin.data.iter_mut().zip(&to_fitting.data) {
+        // As far again as the disc that fits reaches, and a radius more.
+        *on &= distance > 2.0 * radius;
+    }
+    let mut out = image.clone();
+    for i in (0..thin.data.len()).filter(|&i| thin.data[i]) {
+        add_disc(&mut out, centre_of_ink(image, i % image.width, i / image.width), radius);
+    }
+    out
 }
 
 /// The middle of a stroke near a skeleton pixel, to a fraction of a pixel: the centroid of the ink round it.
@@ -123,6 +148,28 @@ mod tests {
                 assert!(wrong / ink(&other) > 0.12);
             }
         }
+    }
+
+    #[test]
+    fn hair_lines_survive_scaling_down_and_dust_does_not_grow() {
+        let large = |inked: &dyn Fn(usize, usize) -> bool| {
+            let data = (0..1200 * 1200).map(|i| f32::from(inked(i % 1200, i / 1200))).collect();
+            Image { width: 1200, height: 1200, data }
+        };
+        let hair = |x: usize, y: usize| (100..1100).contains(&x) && y == 300 + x / 3;
+        let bar = |x: usize, y: usize| (200..1000).contains(&x) && (900..960).contains(&y);
+        let dust = |x: usize, y: usize| (x % 97, y % 89) == (5, 7);
+        let small = |image: &Image| image.resized(256, 256).with_min_stroke(3.0);
+        let lines = large(&|x, y| hair(x, y) || bar(x, y));
+        assert!(ink(&small(&lines)) < 1.1 * ink(&small(&large(&bar))), "averaging alone loses it");
+        let kept = small(&lines.with_hair_lines(256));
+        let wanted = 3.0 * (1000f32 / 1200.0 * 256.0) * (1.0f32 + 1.0 / 9.0).sqrt() + ink(&small(&large(&bar)));
+        assert!((ink(&kept) / wanted - 1.0).abs() < 0.05, "{} of {wanted}", ink(&kept));
+        let dusty = large(&dust);
+        assert_eq!(dusty.with_hair_lines(256), dusty);
+        let as_drawn = large(&bar);
+        assert_eq!(as_drawn.with_hair_lines(256), as_drawn, "wide strokes stay");
+        assert_eq!(lines.with_hair_lines(600), lines, "so does what is hardly scaled down");
     }
 
     #[test]

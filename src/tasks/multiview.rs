@@ -11,7 +11,7 @@ use super::widths::width_bounds;
 use crate::metrics::{BentReport, ResultReport, length_over_lines, match_pictures};
 use crate::objective::Displacement;
 use crate::optimize::{Problem, Session, wait};
-use crate::picture::{Ink, Picture, ink};
+use crate::picture::{Ground, Ink, Picture, Reading};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
@@ -34,12 +34,14 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Finds the ink of a picture, dark or light as the settings say.
+    /// Finds the ink of a picture, dark or light as the settings say, and what was taken for its ground.
     ///
     /// # Errors
-    /// As [`ink`].
-    pub fn new(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<Drawing> {
-        Ok(Drawing { name: picture.name().to_owned(), ink: ink(picture, settings.ink.into())?.0, seen_from })
+    /// As [`Reading::of`].
+    pub fn new(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<(Drawing, Ground)> {
+        let reading = Reading { polarity: settings.ink.into(), threshold: 0.0 };
+        let (ink, ground) = reading.of_drawing(picture)?;
+        Ok((Drawing { name: picture.name().to_owned(), ink, seen_from }, ground))
     }
 
     /// From ink as bytes, 0 (ground) to 255 (ink), row by row from the top left.

@@ -199,6 +199,7 @@ impl<J: Job> Run<J> {
             time,
             result: self.result(),
             arrangement: self.arrangement(),
+            reading: Vec::new(),
             events: event_reports(&self.session),
         }
     }

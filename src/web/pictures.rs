@@ -1,7 +1,7 @@
 //! Pictures and drawings on their way in, and ink on its way out.
 
 use super::json;
-use crate::picture::{Picture, Polarity, Reading};
+use crate::picture::{Because, Picture, Polarity, Reading};
 use crate::settings::Settings;
 use crate::tasks::Placed;
 use crate::tasks::multiview::Drawing;
@@ -48,8 +48,9 @@ pub fn read_ink(
     let mut settings = Settings::default();
     settings.set("ink", ink)?;
     let reading = Reading { polarity: Polarity::from(settings.ink), threshold };
-    let (image, ground) = reading.of(&Picture::new(name, width, height, rgba)?)?;
-    Ok(FoundInk { ink: Ink::new(&image), is_light: ground.polarity == Polarity::LightInk })
+    let (image, ground) = reading.of_drawing(&Picture::new(name, width, height, rgba)?)?;
+    let note = if ground.because == Because::Sheet { ground.words() } else { String::new() };
+    Ok(FoundInk { ink: Ink::new(&image), is_light: ground.polarity == Polarity::LightInk, note })
 }
 
 /// What the ink finder saw.
@@ -59,10 +60,16 @@ pub struct FoundInk {
     #[wasm_bindgen(readonly)]
     pub is_light: bool,
     ink: Ink,
+    note: String,
 }
 
 #[wasm_bindgen]
 impl FoundInk {
+    /// What a person should know of how it was found, or empty.
+    pub fn note(&self) -> String {
+        self.note.clone()
+    }
+
     /// The ink.
     pub fn ink(&self) -> Ink {
         self.ink.clone()

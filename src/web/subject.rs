@@ -25,9 +25,17 @@ impl Subject {
         Ok(())
     }
 
-    /// How near each pixel is: a picture of the same size, light is near.
-    pub fn set_depth(&mut self, name: &str, width: usize, height: usize, rgba: Vec<u8>) -> Result<(), JsError> {
-        self.0.depth = Some(Picture::new(name, width, height, rgba)?);
+    /// How near each pixel is: a picture of the same size, light is near; `measured` from values of 16 bits, it may be
+    /// distances.
+    pub fn set_depth(
+        &mut self,
+        name: &str,
+        width: usize,
+        height: usize,
+        rgba: Vec<u8>,
+        measured: bool,
+    ) -> Result<(), JsError> {
+        self.0.depth = Some(Picture::new(name, width, height, rgba)?.as_given([width, height], measured));
         Ok(())
     }
 }

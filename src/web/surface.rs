@@ -12,8 +12,6 @@ use crate::wire::Wire;
 use crate::{Error, Result};
 use wasm_bindgen::prelude::*;
 
-/// Side of a style's picture by formula, px.
-const PATTERN_PX: usize = 384;
 /// Width of the line that shows how a wire would run, as a share of the lines' distance.
 const THIN: f64 = 0.12;
 /// Most control points of that line.
@@ -91,8 +89,7 @@ impl Surface {
     /// Takes on a style by formula: a word of [`pattern_names`].
     pub fn set_pattern(&mut self, word: &str) -> Result<(), JsError> {
         if self.given.style.as_ref().is_none_or(|style| style.name != word || !style.tiles) {
-            let ink = named(word)?.picture(PATTERN_PX);
-            self.given.style = Some(Style { name: word.to_owned(), ink, tiles: true });
+            self.given.style = Some(Style::pattern(named(word)?));
         }
         Ok(())
     }

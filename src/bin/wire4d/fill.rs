@@ -6,22 +6,21 @@ use clap::ArgMatches;
 use std::path::Path;
 use wire4d::files::read_at_most;
 use wire4d::mesh::Shape;
+use wire4d::metrics::{ReadingReport, Report};
 use wire4d::model::{MAX_MESH_BYTES, Mended, Up, read_mesh};
 use wire4d::picture::{GreyDepth, Pattern, Polarity, ink, read_picture};
 use wire4d::settings::Task;
 use wire4d::tasks::fill::{self, Given, Run, Style};
 use wire4d::{Error, Result};
 
-/// Side of a pattern's picture, px.
-const PATTERN_PX: usize = 512;
-
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Fill)?;
-    let given = given(matches)?;
+    let (given, reading) = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let making = Making::new(&folder, matches.get_flag("quiet"));
     making.bar.set_message("Covering the surface");
+    making.say_how_read(&reading);
     let plan = fill::plan(&given, &settings, &mut |share| {
         making.bar.set_position((100.0 * share) as u64);
         !making.is_stopped()
@@ -30,7 +29,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     plan.notes().iter().for_each(|note| making.say(note));
     let mut run = Run::start(plan, &settings)?;
     let time = making.fit(&mut run)?;
-    let report = run.report(time, !run.session().is_done());
+    let report = Report { reading, ..run.report(time, !run.session().is_done()) };
 
     let made = run.sculpture();
     save(&folder, &made, &report, &run.loss_csv())?;
@@ -45,10 +44,12 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     Ok(())
 }
 
-fn given(matches: &ArgMatches) -> Result<Given> {
+fn given(matches: &ArgMatches) -> Result<(Given, Vec<ReadingReport>)> {
     let mut given = solid(args::path(matches, "mesh"), args::up(matches))?;
-    given.style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
-    Ok(given)
+    let style = matches.get_one::<std::path::PathBuf>("style").map(|path| style(path)).transpose()?;
+    let (style, reading) = style.unzip();
+    given.style = style;
+    Ok((given, reading.flatten().into_iter().collect()))
 }
 
 /// A built-in shape by its word, unless a file is called so; else a mesh's file, in which `up` is up. It has no style yet.
@@ -82,15 +83,17 @@ fn is_word(path: &Path) -> bool {
 }
 
 /// A built-in pattern by its word, unless a file is called so; else a picture's file.
-fn style(path: &Path) -> Result<Style> {
+fn style(path: &Path) -> Result<(Style, Option<ReadingReport>)> {
     let name = path.display().to_string();
     if let Some(pattern) = Pattern::named(&name).filter(|_| !path.exists()) {
-        return Ok(Style { name, ink: pattern.picture(PATTERN_PX), tiles: true });
+        return Ok((Style::pattern(pattern), None));
     }
     if is_word(path) {
         let words = Pattern::ALL.map(Pattern::name).join(", ");
         return Err(Error::picture(name, "is neither a file nor a pattern", format!("give a picture or {words}")));
     }
-    let (ink, _) = ink(&read_picture(path)?, Polarity::Auto)?;
-    Ok(Style { name, ink, tiles: false })
+    let picture = read_picture(path)?;
+    let (ink, ground) = ink(&picture, Polarity::Auto)?;
+    let reading = ReadingReport::new(&picture, &ink, &ground);
+    Ok((Style { name, ink, tiles: false }, Some(reading)))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wire4d::export::{ExportOptions, Format, export};
-use wire4d::metrics::{Report, TimeReport};
+use wire4d::metrics::{ReadingReport, Report, TimeReport};
 use wire4d::picture::{GreyDepth, encode_png};
 use wire4d::sculpture::Sculpture;
 use wire4d::tasks::{Job, Run};
@@ -45,6 +45,16 @@ impl Making {
             eprintln!("{note}");
         }
         self.bar.println(note);
+    }
+
+    /// Says what was done to pictures, and what of them was left out.
+    pub fn say_how_read(&self, reading: &[ReadingReport]) {
+        for picture in reading {
+            picture.notes.iter().for_each(|note| self.say(note));
+            if picture.because.contains("left out") {
+                self.say(&format!("{}: {}", picture.source, picture.because));
+            }
+        }
     }
 
     pub fn is_stopped(&self) -> bool {

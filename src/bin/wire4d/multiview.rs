@@ -4,6 +4,7 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
+use wire4d::metrics::{ReadingReport, Report};
 use wire4d::picture::{GreyDepth, read_picture};
 use wire4d::settings::{Settings, Task};
 use wire4d::tasks::multiview::{self, Drawing, Run};
@@ -12,12 +13,13 @@ use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Multiview)?;
-    let drawings = drawings(matches, &settings)?;
+    let (drawings, reading): (Vec<_>, Vec<_>) = drawings(matches, &settings)?.into_iter().unzip();
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let making = Making::new(&folder, matches.get_flag("quiet"));
     let bar = &making.bar;
     bar.set_message("Arranging the drawings");
+    making.say_how_read(&reading);
     let plan = multiview::plan(&drawings, &settings)?;
     for note in plan.notes() {
         making.say(&note);
@@ -31,7 +33,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         !making.is_stopped()
     })?;
     let time = making.fit(&mut run)?;
-    let report = run.report(time, !run.session().is_done());
+    let report = Report { reading, ..run.report(time, !run.session().is_done()) };
     save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
     save_pictures(&folder, &run)?;
     bar.finish_and_clear();
@@ -60,7 +62,7 @@ fn save_pictures(folder: &Folder, run: &Run) -> Result<()> {
 }
 
 /// The pictures as drawings: front, side and top first, then those with directions.
-fn drawings(matches: &ArgMatches, settings: &Settings) -> Result<Vec<Drawing>> {
+fn drawings(matches: &ArgMatches, settings: &Settings) -> Result<Vec<(Drawing, ReadingReport)>> {
     let pictures = matches.get_many::<PathBuf>("pictures").into_iter().flatten();
     let mut drawings = pictures.map(|path| drawing(path, None, settings)).collect::<Result<Vec<_>>>()?;
     for text in matches.get_many::<String>("view").into_iter().flatten() {
@@ -70,10 +72,9 @@ fn drawings(matches: &ArgMatches, settings: &Settings) -> Result<Vec<Drawing>> {
     Ok(drawings)
 }
 
-fn drawing(path: &Path, direction: Option<ViewSpec>, settings: &Settings) -> Result<Drawing> {
+fn drawing(path: &Path, direction: Option<ViewSpec>, settings: &Settings) -> Result<(Drawing, ReadingReport)> {
     let picture = read_picture(path)?;
-    if let Some([width, height]) = picture.shrunk_from() {
-        eprintln!("{}: {width} x {height} px is more than is needed, scaled down", path.display());
-    }
-    Drawing::new(&picture, direction, settings)
+    let (drawing, ground) = Drawing::new(&picture, direction, settings)?;
+    let reading = ReadingReport::new(&picture, &drawing.ink, &ground);
+    Ok((drawing, reading))
 }

@@ -4,7 +4,7 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
-use wire4d::picture::{GreyDepth, read_picture};
+use wire4d::picture::{GreyDepth, Picture, read_depth, read_picture};
 use wire4d::settings::Task;
 use wire4d::tasks::stroke::{self, Given, Run};
 use wire4d::view::{Image, parse_placed_picture};
@@ -17,6 +17,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let making = Making::new(&folder, matches.get_flag("quiet"));
     making.bar.set_message("Finding the object");
+    let pictures = std::iter::once(&given.picture).chain(&given.depth).chain(given.others.iter().map(|other| &other.0));
+    pictures.flat_map(Picture::notes).for_each(|note| making.say(&note));
     let plan = stroke::plan(&given, &settings)?;
     plan.notes().iter().for_each(|note| making.say(note));
     making.bar.set_message("Laying a first wire");
@@ -51,7 +53,7 @@ fn given(matches: &ArgMatches) -> Result<Given> {
     Ok(Given {
         picture: read_picture(args::path(matches, "picture"))?,
         mask,
-        depth: optional("depth")?,
+        depth: matches.get_one::<PathBuf>("depth").map(|path| read_depth(path)).transpose()?,
         others: others.collect::<Result<_>>()?,
     })
 }

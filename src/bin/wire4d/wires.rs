@@ -44,7 +44,7 @@ pub fn metrics(matches: &ArgMatches) -> Result<()> {
         .get_many::<std::path::PathBuf>("targets")
         .into_iter()
         .flatten()
-        .map(|path| Ok(Some(Drawing::new(&read_picture(path)?, None, &Settings::default())?.ink)))
+        .map(|path| Ok(Some(Drawing::new(&read_picture(path)?, None, &Settings::default())?.0.ink)))
         .collect::<Result<Vec<_>>>()?;
     if targets.len() > made.views.len() {
         return Err(Error::input(

@@ -92,6 +92,9 @@ impl Pixels {
             let remedy = "use a picture whose object stands out from its ground, cut it out, or paint a mask";
             return Err(Error::picture(name, "shows no object: nothing differs from the border", remedy));
         }
+        if self.sheet.is_some() {
+            notes.push(format!("{name}: a sheet on another ground was found, and what is round it was left out"));
+        }
         if busy > BUSY {
             notes.push(format!("{name}: the ground is busy, so the object may be cut out badly; a mask helps"));
         }

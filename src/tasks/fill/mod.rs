@@ -20,6 +20,7 @@ use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::objective::Texture;
 use crate::optimize::{Problem, Schedule, Seen, Session, Surface, wait};
+use crate::picture::Pattern;
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
 use crate::start::{self, FillOptions, Filling, Guide, Method};
@@ -51,6 +52,16 @@ pub struct Style {
     pub ink: Image,
     /// Whether its borders meet when it is repeated.
     pub tiles: bool,
+}
+
+/// Side of a pattern's picture, px: the curve depends on it, so it is one for all.
+const PATTERN_PX: usize = 512;
+
+impl Style {
+    /// A built-in pattern.
+    pub fn pattern(pattern: Pattern) -> Style {
+        Style { name: pattern.name().to_owned(), ink: pattern.picture(PATTERN_PX), tiles: true }
+    }
 }
 
 /// The curve and what it should show, before anything is fitted.
@@ -340,7 +351,6 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::Pattern;
     use crate::settings::Preset;
 
     #[test]
