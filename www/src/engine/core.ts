@@ -110,7 +110,7 @@ const core = {
 
   read(picture: Picture, reading: Reading): FoundInk {
     const found = wasm.read_ink(picture.name, picture.width, picture.height, bytesOf(picture), reading.ink, reading.threshold);
-    return taken(found, () => ({ ...ink(found.ink()), polarity: found.is_light ? "light" : "dark" }));
+    return taken(found, () => ({ ...ink(found.ink()), polarity: found.is_light ? "light" : "dark", note: found.note() }));
   },
 
   preview(drawings: readonly Drawing[], settings: SettingValues): Preview {
@@ -188,7 +188,7 @@ function sitter({ picture, mask, depth }: Sitter): wasm.Subject {
   const subject = new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture));
   try {
     if (mask) subject.set_mask(mask.width, mask.height, mask.ink);
-    if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth));
+    if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth), depth.measured ?? false);
   } catch (error) {
     subject.free();
     throw error;

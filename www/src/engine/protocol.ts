@@ -11,6 +11,8 @@ export interface Pixels {
   readonly width: number;
   readonly height: number;
   readonly rgba: Uint8ClampedArray<ArrayBuffer>;
+  /** It comes from values of 16 bits: as a depth picture it may tell distances. */
+  readonly measured?: boolean;
 }
 
 /** A picture with the name people know it by. */
@@ -20,7 +22,7 @@ export interface Picture extends Pixels {
 
 /** How ink is found in a picture. */
 export interface Reading {
-  /** Dark or light ink; `auto` takes the border's shade for ground. */
+  /** Dark or light ink; `auto` takes a sheet, else the border's shade for ground. */
   readonly ink: "auto" | "dark" | "light";
   /** Least strength that counts as ink, above 0 up to 1, edges kept soft; 0 leaves tones as they are. */
   readonly threshold: number;
@@ -36,6 +38,8 @@ export interface Ink {
 /** What the ink finder saw. */
 export interface FoundInk extends Ink {
   readonly polarity: "dark" | "light";
+  /** What a person should know of how it was found, or empty; not with what was kept before there was any. */
+  readonly note?: string;
 }
 
 /** What of one picture is the object. */

@@ -19,6 +19,7 @@ export interface KeptPicture {
   readonly height: number;
   /** RGBA, as a blob: keeping it costs next to nothing. */
   readonly rgba: Blob;
+  readonly measured?: boolean;
 }
 
 /** A picture and the ink the core found in it, fitted onto a sheet. */

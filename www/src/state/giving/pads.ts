@@ -5,7 +5,7 @@ import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "../dr
 import { kept, pixelsOf, readPicture } from "../drawing/picture";
 import type { Slot } from "../keeping/document";
 import { QUIET, type Bench, type PadState } from "../studio-state";
-import { explain } from "../words";
+import { asSentence, explain } from "../words";
 
 export class Pads {
   constructor(private readonly bench: Bench) {}
@@ -25,7 +25,8 @@ export class Pads {
       const found = await this.bench.engine.call("read", { picture: { name, ...pixels }, reading, sidePx: PAPER_PX });
       const layer: PictureLayer = { kind: "picture", picture, reading, found, lay: { mirrored: false, quarterTurns: 0 } };
       this.set(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, `Put ${name} on the ${slot} pad`);
-      this.show(slot, { ...QUIET, note });
+      const notes = [note, asSentence(found.note ?? "")].filter((words) => words.length > 1);
+      this.show(slot, { ...QUIET, note: notes.join(" ") });
     } catch (error) {
       this.show(slot, { ...QUIET, problem: explain(error, name) });
     }

@@ -44,7 +44,7 @@ export class Sitting {
   async giveDepth(file: Blob, name: string): Promise<void> {
     if (!this.subject) return;
     await this.attempt(name, async () => {
-      const { note, ...pixels } = await readPicture(file, name);
+      const { note, ...pixels } = await readPicture(file, name, true);
       const { width, height } = this.subject!.picture;
       if (pixels.width !== width || pixels.height !== height) {
         throw new Problem(`${name} is ${pixels.width} × ${pixels.height} pixels and the picture ${width} × ${height}. Give a depth picture of the same size.`);
