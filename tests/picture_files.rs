@@ -253,6 +253,71 @@ fn the_test_drawings_are_read() {
     assert_eq!(counts, (10, 5), "triples and pairs");
 }
 
+/// Each picture under tests, its share of ink as it was read when ink was told by luma alone, and whether its ink is light.
+const SHARES: [(&str, f32, bool); 50] = [
+    ("drawings/p01-words/front", 0.4745, false),
+    ("drawings/p01-words/side", 0.4620, false),
+    ("drawings/p02-garden/front", 0.0961, false),
+    ("drawings/p02-garden/side", 0.1174, false),
+    ("drawings/p03-faces/front", 0.0621, false),
+    ("drawings/p03-faces/side", 0.0383, false),
+    ("drawings/p04-brush-glyphs/front", 0.1500, false),
+    ("drawings/p04-brush-glyphs/side", 0.2154, false),
+    ("drawings/p05-tools/front", 0.0622, false),
+    ("drawings/p05-tools/side", 0.0713, false),
+    ("drawings/t01-animals/front", 0.0955, false),
+    ("drawings/t01-animals/side", 0.0848, false),
+    ("drawings/t01-animals/top", 0.0901, false),
+    ("drawings/t02-bold-letters/front", 0.3416, false),
+    ("drawings/t02-bold-letters/side", 0.4480, false),
+    ("drawings/t02-bold-letters/top", 0.3439, false),
+    ("drawings/t03-vehicles/front", 0.1371, false),
+    ("drawings/t03-vehicles/side", 0.2435, false),
+    ("drawings/t03-vehicles/top", 0.1370, false),
+    ("drawings/t04-serif-glyphs/front", 0.2872, false),
+    ("drawings/t04-serif-glyphs/side", 0.3089, false),
+    ("drawings/t04-serif-glyphs/top", 0.1796, false),
+    ("drawings/t05-hair-lines/front", 0.0289, false),
+    ("drawings/t05-hair-lines/side", 0.0336, false),
+    ("drawings/t05-hair-lines/top", 0.0432, false),
+    ("drawings/t06-icons/front", 0.2922, false),
+    ("drawings/t06-icons/side", 0.2381, false),
+    ("drawings/t06-icons/top", 0.2212, false),
+    ("drawings/t07-outlines/front", 0.0428, false),
+    ("drawings/t07-outlines/side", 0.0344, false),
+    ("drawings/t07-outlines/top", 0.0363, false),
+    ("drawings/t08-solids/front", 0.3273, false),
+    ("drawings/t08-solids/side", 0.4434, false),
+    ("drawings/t08-solids/top", 0.2148, false),
+    ("drawings/t09-dense/front", 0.1585, false),
+    ("drawings/t09-dense/side", 0.2667, false),
+    ("drawings/t09-dense/top", 0.0929, false),
+    ("drawings/t10-thin-letters/front", 0.1438, true),
+    ("drawings/t10-thin-letters/side", 0.1104, true),
+    ("drawings/t10-thin-letters/top", 0.1107, true),
+    ("strokes/ball", 0.3014, false),
+    ("strokes/cat", 0.3102, false),
+    ("strokes/face", 0.0644, false),
+    ("strokes/fish", 0.0675, false),
+    ("strokes/glyph", 0.2066, false),
+    ("strokes/mushroom", 0.1311, false),
+    ("strokes/pear", 0.0912, false),
+    ("strokes/star", 0.2248, true),
+    ("strokes/torus", 0.3458, false),
+    ("strokes/vase", 0.1408, false),
+];
+
+#[test]
+fn what_is_told_by_luma_is_read_as_ever() {
+    for (name, wanted, light) in SHARES {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/{name}.png"));
+        let (image, ground) = picture::ink(&picture::read_picture(&file).unwrap(), Polarity::Auto).unwrap();
+        let share = image.data.iter().sum::<f32>() / image.data.len() as f32;
+        assert!((share - wanted).abs() < 1e-3, "{name}: {share} of it is ink, not {wanted}");
+        assert_eq!(ground.polarity == Polarity::LightInk, light, "{name}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 256, rng_seed: RngSeed::Fixed(4), failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -61,7 +61,7 @@ fn pads_show_what_the_fit_will_see() {
     // Oblong paper: the drawing beside as much blank paper.
     let wide = given[1].ink.window([0.0, 0.0, 2.0 * given[1].ink.width as f64, given[1].ink.height as f64], 600, 300);
     given[1].ink = wide;
-    let found = preview(&given, &settings("on")).unwrap().0;
+    let found = preview(&given, &settings("on")).unwrap();
     assert!(found.coverable >= found.as_given);
     for (source, (drawing, given)) in found.drawings.iter().zip(&given).enumerate() {
         assert_eq!(drawing.placed.source, Some(source), "in the order given");
@@ -89,7 +89,7 @@ fn pads_show_what_the_fit_will_see() {
 
 #[test]
 fn each_choice_of_bend_is_told_apart() {
-    let found = preview(&drawings("t01-animals"), &settings("on")).unwrap().0;
+    let found = preview(&drawings("t01-animals"), &settings("on")).unwrap();
     let [none, little, free] = &found.bends[..] else { panic!("{:?}", found.bends) };
     assert_eq!((none.bend, none.coverable, none.likeness), (Bend::None, Some(found.coverable), Some(1.0)));
     assert_eq!((little.bend, little.coverable, little.likeness, little.moved_px), (Bend::Little, None, None, None));

@@ -25,9 +25,9 @@ pub fn drawn(name: &str, bytes: &[u8]) -> Result<Picture> {
     if bytes.len() > MAX_BYTES {
         return fail(format!("is an SVG of more than {} MB", MAX_BYTES >> 20), "save it as a PNG picture");
     }
-    let mut options = usvg::Options::default();
-    options.image_href_resolver =
+    let image_href_resolver =
         usvg::ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
+    let options = usvg::Options { image_href_resolver, ..usvg::Options::default() };
     let tree = match usvg::Tree::from_data(bytes, &options) {
         Ok(tree) => tree,
         Err(problem) => {

@@ -46,6 +46,6 @@ describe("PNG pictures of 16 bits", () => {
     expect(await sixteenBit(grey([1, 2, 3], { kind: 3 }), false)).toBeNull();
     expect(await sixteenBit(grey([1, 2, 3], { kind: 2 }), false)).toBeNull();
     const whole = new Uint8Array(await grey([300, 550, 800]).arrayBuffer());
-    for (const length of [30, 45, 50, 54]) expect(await sixteenBit(new Blob([whole.slice(0, length)]), false)).toBeNull();
+    for (const length of [30, 44, 48]) expect(await sixteenBit(new Blob([whole.slice(0, length)]), false)).toBeNull();
   });
 });
