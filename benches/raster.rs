@@ -13,9 +13,9 @@ use wire4d::wire::Stroke;
 #[cfg(feature = "gpu")]
 mod card;
 #[cfg(feature = "gpu")]
-#[path = "../tests/optimize_common/mod.rs"]
+#[path = "../tests/support/optimize_common/mod.rs"]
 mod common;
-#[path = "../tests/raster_wires/mod.rs"]
+#[path = "../tests/support/raster_wires/mod.rs"]
 mod raster_wires;
 
 /// Scene and DiffVG's milliseconds forward and backward (2 x 2 samples, two cores of the reference machine).

@@ -8,7 +8,7 @@ use wire4d::optimize::{Bending, Problem, RasterKind, Recipe, Session, Stage};
 
 #[cfg(feature = "gpu")]
 mod card;
-#[path = "../tests/optimize_common/mod.rs"]
+#[path = "../tests/support/optimize_common/mod.rs"]
 mod common;
 
 /// Control points, samples a span and the bar on two cores in milliseconds.

@@ -4,7 +4,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use wire4d::optimize::{Bending, Problem, RasterKind, Recipe, Session, Stage};
 
-#[path = "optimize_common/mod.rs"]
+#[path = "support/optimize_common/mod.rs"]
 mod common;
 
 thread_local! {

@@ -1,5 +1,6 @@
 //! What reading a mesh takes is bounded by what the file holds, not by what it claims; and it ends soon.
 
+#[path = "support/mesh_common/mod.rs"]
 mod mesh_common;
 
 use mesh_common::{RELATIONS, archive, glb, three_mf, zip};

@@ -4,7 +4,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use wire4d::raster::{BandRaster, ExactRaster, Raster};
 
-#[path = "raster_wires/mod.rs"]
+#[path = "support/raster_wires/mod.rs"]
 mod raster_wires;
 use raster_wires::{FAMILIES, SIZE, wires};
 
