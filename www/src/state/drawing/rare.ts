@@ -1,4 +1,4 @@
-/** Pictures that a browser does not decode by itself: drawings of SVG, and what to say about others. */
+/** Pictures that a browser does not decode by itself: SVG, JPEG without an end marker; and what to say about others. */
 
 import { Problem } from "../../engine/client";
 
@@ -24,6 +24,8 @@ export async function rarePicture(file: Blob, name: string): Promise<ImageBitmap
     if (drawn) return drawn;
     throw new Problem(`${name} is an SVG that this browser cannot draw. Save it as a PNG.`);
   }
+  const photo = head.startsWith("\u00ff\u00d8") && (await unendedJpeg(file));
+  if (photo) return photo;
   throw new Problem(`${name} is not a picture this browser can read. Choose a PNG, JPEG, WebP, GIF, BMP, AVIF or SVG file.`);
 }
 
@@ -44,4 +46,23 @@ async function drawnSvg(file: Blob): Promise<ImageBitmap | null> {
   } finally {
     URL.revokeObjectURL(image.src);
   }
+}
+
+/** A JPEG that lacks nothing but its end marker: what stands in place of the rest then does not matter. */
+async function unendedJpeg(file: Blob): Promise<ImageBitmap | null> {
+  const END = new Uint8Array([0xff, 0xd9]);
+  try {
+    const both = [0x55, 0xaa].map((filler) => createImageBitmap(new Blob([file, new Uint8Array(256).fill(filler), END])));
+    const [one, other] = (await Promise.all(both)) as [ImageBitmap, ImageBitmap];
+    const [a, b] = [pixels(one), pixels(other)];
+    return a.every((value, i) => value === b[i]) ? one : null;
+  } catch {
+    return null;
+  }
+}
+
+function pixels(bitmap: ImageBitmap): Uint32Array {
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d", { willReadFrequently: true })!;
+  context.drawImage(bitmap, 0, 0);
+  return new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
 }
