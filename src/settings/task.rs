@@ -19,6 +19,18 @@ const WIDEST_BEND_PX: f64 = 64.0;
 const WIDEST_STRAND_PX: f64 = 24.0;
 
 impl Task {
+    /// All of them.
+    pub const ALL: [Task; 3] = [Task::Multiview, Task::Stroke, Task::Fill];
+
+    /// Its name in files, reports and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Task::Multiview => "multiview",
+            Task::Stroke => "stroke",
+            Task::Fill => "fill",
+        }
+    }
+
     /// The settings it has, in the order people should see them, with the choices that it has.
     pub fn rows(self) -> impl Iterator<Item = Setting> {
         TABLE.iter().filter(move |row| self.has(row)).map(move |row| match self.choices(row) {

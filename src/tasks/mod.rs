@@ -12,4 +12,4 @@ pub mod stroke;
 mod widths;
 
 pub use engine::place;
-pub use run::{Job, Placed, Run};
+pub use run::{Job, Placed, Plan, Run};

@@ -1,16 +1,14 @@
 //! Two, three or more drawings to one wire that shows each from its own side.
 //!
-//! [`plan`] arranges the drawings and says what any object could show of them; [`Run::start`] grows the first wire;
-//! [`Run::step`] fits it; [`Run::sculpture`] and [`Run::report`] give what came of it.
+//! [`plan`] arranges the drawings and says what any object could show of them; [`Run::start`](super::Run::start) grows the first wire;
+//! [`Run::step`](super::Run::step) fits it; its `sculpture` and `report` give what came of it.
 
-use super::engine::engine;
 use super::fit::recipe;
-use super::run::Placed;
-use super::saved::SavedRun;
+use super::run::{Placed, Run};
 use super::widths::width_bounds;
 use crate::metrics::{BentReport, ResultReport, length_over_lines, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::{Problem, Session, wait};
+use crate::optimize::Problem;
 use crate::picture::{Ground, Ink, Picture, Reading};
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
@@ -57,6 +55,7 @@ impl Drawing {
 /// Drawings in their views, before anything is fitted.
 #[derive(Debug, Clone)]
 pub struct Plan {
+    settings: Settings,
     /// Which drawing went where, the object's box, and what each view should show (never bent).
     pub arrangement: Arrangement,
     /// What any object could show of each view's drawing.
@@ -104,7 +103,7 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     thicken(&mut arrangement.targets, settings);
     let coverable = start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?;
     let sources = drawings.iter().map(|drawing| drawing.name.clone()).collect();
-    Ok(Plan { arrangement, coverable, sources, placed })
+    Ok(Plan { settings: settings.clone(), arrangement, coverable, sources, placed })
 }
 
 /// Drawings as the start knows them.
@@ -163,8 +162,8 @@ impl Plan {
     }
 
     /// Whether the drawings are bent before the fit.
-    fn bends_before(&self, settings: &Settings) -> bool {
-        settings.bend == Bend::Free && !self.agrees()
+    fn bends_before(&self) -> bool {
+        self.settings.bend == Bend::Free && !self.agrees()
     }
 
     /// Whether the drawings agree so well as they are that bending them before the fit would only move their ink.
@@ -173,13 +172,9 @@ impl Plan {
     }
 
     /// What the views should show once drawings that may bend freely have bent, and how far that moved their ink.
-    fn targets_to_fit(
-        &self,
-        settings: &Settings,
-        progress: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<(Vec<Target>, Vec<Displacement>)> {
+    fn targets_to_fit(&self, progress: &mut dyn FnMut(f32) -> bool) -> Result<(Vec<Target>, Vec<Displacement>)> {
         let targets = &self.arrangement.targets;
-        if !self.bends_before(settings) {
+        if !self.bends_before() {
             return Ok((targets.clone(), vec![Displacement::default(); targets.len()]));
         }
         let bent = start::bend(targets, &BendOptions::default(), progress)?;
@@ -189,7 +184,8 @@ impl Plan {
     }
 
     /// The fit of `wire` to `targets`.
-    fn problem(&self, wire: Wire, targets: Vec<Target>, settings: &Settings) -> Problem {
+    fn problem(&self, wire: Wire, targets: Vec<Target>) -> Problem {
+        let settings = &self.settings;
         let px = self.world_per_px_256();
         Problem {
             width: width_bounds(&targets, px, settings),
@@ -204,14 +200,10 @@ impl Plan {
     }
 
     /// The wire the fit starts from. `progress` (0 to 1) stops the search by returning false; what there is is used.
-    fn first_wire(
-        &self,
-        targets: &[Target],
-        settings: &Settings,
-        progress: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<Wire> {
+    fn first_wire(&self, targets: &[Target], progress: &mut dyn FnMut(f32) -> bool) -> Result<Wire> {
+        let settings = &self.settings;
         let px = self.world_per_px_256();
-        let mut path = self.first_path(targets, settings, progress)?;
+        let mut path = self.first_path(targets, progress)?;
         if settings.smooth == OnOff::On {
             start::jittered(&mut path, JITTER_PX * px, settings.seed);
         }
@@ -228,12 +220,8 @@ impl Plan {
         if settings.form == Form::Spline { Ok(wire) } else { wire.to_form(settings.form) }
     }
 
-    fn first_path(
-        &self,
-        targets: &[Target],
-        settings: &Settings,
-        progress: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<Path> {
+    fn first_path(&self, targets: &[Target], progress: &mut dyn FnMut(f32) -> bool) -> Result<Path> {
+        let settings = &self.settings;
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
             Start::Circuit => {
@@ -273,22 +261,45 @@ const ENOUGH_SHARE: f32 = 0.98;
 /// Share of the start's progress that bending the drawings takes.
 const BENDING_SHARE: f32 = 0.4;
 
-/// A fit of drawings under way.
-pub type Run = super::Run<Job>;
+impl super::Plan for Plan {
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.arrangement.targets
+    }
+
+    fn begin(self, progress: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn super::Job>, Problem)> {
+        let bending = if self.bends_before() { BENDING_SHARE } else { 0.0 };
+        let (targets, moved_before) = self.targets_to_fit(&mut |share| progress(bending * share))?;
+        let wire = self.first_wire(&targets, &mut |share| progress(bending + (1.0 - bending) * share))?;
+        let problem = self.problem(wire, targets);
+        Ok((Box::new(Job { plan: self, moved_before }), problem))
+    }
+
+    fn go_on(
+        self,
+        wire: Wire,
+        _: usize,
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<(Box<dyn super::Job>, Problem)> {
+        let (targets, moved_before) = self.targets_to_fit(progress)?;
+        let problem = self.problem(wire, targets);
+        Ok((Box::new(Job { plan: self, moved_before }), problem))
+    }
+}
 
 /// The drawings' part in a run.
-pub struct Job {
+struct Job {
     plan: Plan,
     /// How far each view's ink was moved before the fit.
     moved_before: Vec<Displacement>,
 }
 
 impl super::Job for Job {
-    type Plan = Plan;
-    const TASK: &'static str = "multiview";
-
-    fn plan(&self) -> &Plan {
-        &self.plan
+    fn task(&self) -> Task {
+        Task::Multiview
     }
 
     fn targets(&self) -> &[Target] {
@@ -301,6 +312,15 @@ impl super::Job for Job {
 
     fn placed(&self, view: usize) -> Placed {
         self.plan.placed(view)
+    }
+
+    fn bent(&self, run: &Run) -> Option<Vec<(Image, Displacement)>> {
+        let added = |((picture, during), before): ((Image, Displacement), &Displacement)| {
+            let Displacement { mean_px, max_px } = during;
+            (picture, Displacement { mean_px: mean_px + before.mean_px, max_px: max_px + before.max_px })
+        };
+        (run.settings().bend != Bend::None)
+            .then(|| run.session().bent_targets().into_iter().zip(&self.moved_before).map(added).collect())
     }
 
     /// How much of each drawing could be shown, and, where drawings bend, what only the bent ones can be held against.
@@ -318,75 +338,5 @@ impl super::Job for Job {
         }
         let drawn = bent.iter().zip(targets).map(|((picture, _), target)| (picture, &target.view));
         result.length_over_lines = length_over_lines(result.shape.length, drawn);
-    }
-}
-
-impl Run {
-    /// Makes the first wire and readies the fit. `progress` is told how far the start is (0 to 1) and cuts it short by
-    /// returning false.
-    ///
-    /// # Errors
-    /// As the start chosen by the settings, and [`Problem::check`]; [`Error::Device`] if a graphics card is asked for
-    /// and there is none that computes rightly.
-    pub fn start(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
-        wait(Run::start_async(plan, settings, progress))
-    }
-
-    /// [`Run::start`] where the thread has other things to do while a device gets ready.
-    ///
-    /// # Errors
-    /// As [`Run::start`].
-    pub async fn start_async(plan: Plan, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
-        // First of all: who asks for a device that is not there should not have to wait for it.
-        let engine = engine(settings.backend).await?;
-        let bending = if plan.bends_before(settings) { BENDING_SHARE } else { 0.0 };
-        let (targets, moved_before) = plan.targets_to_fit(settings, &mut |share| progress(bending * share))?;
-        let wire = plan.first_wire(&targets, settings, &mut |share| progress(bending + (1.0 - bending) * share))?;
-        let session = Session::with_engine(plan.problem(wire, targets, settings), engine)?;
-        Ok(Run::new(Job { plan, moved_before }, settings, session))
-    }
-
-    /// Goes on from a checkpoint of a run of the same drawings: with the same settings bit for bit as if it had never
-    /// been interrupted, with others from here on as these say. `progress` as in [`Run::start`].
-    ///
-    /// # Errors
-    /// [`Error::Input`] for bytes that are no checkpoint, damaged or of other drawings; [`Error::Setting`] for a
-    /// setting that would have made it another run.
-    pub fn resume(
-        plan: Plan,
-        settings: &Settings,
-        checkpoint: &[u8],
-        progress: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<Run> {
-        wait(Run::resume_async(plan, settings, checkpoint, progress))
-    }
-
-    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
-    ///
-    /// # Errors
-    /// As [`Run::resume`].
-    pub async fn resume_async(
-        plan: Plan,
-        settings: &Settings,
-        checkpoint: &[u8],
-        progress: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<Run> {
-        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.arrangement.targets, settings)?;
-        let (targets, moved_before) = plan.targets_to_fit(settings, progress)?;
-        // The wire as it was grown is gone; only its form counts now.
-        let problem = plan.problem(saved.wire().clone(), targets, settings);
-        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
-        Ok(Run::new(Job { plan, moved_before }, settings, session))
-    }
-
-    /// Each view's target as it is bent now and how far its ink moved at most (what bending before and during the fit
-    /// moved it, added up); `None` where nothing bends.
-    pub fn bent(&self) -> Option<Vec<(Image, Displacement)>> {
-        let added = |((picture, during), before): ((Image, Displacement), &Displacement)| {
-            let Displacement { mean_px, max_px } = during;
-            (picture, Displacement { mean_px: mean_px + before.mean_px, max_px: max_px + before.max_px })
-        };
-        (self.settings().bend != Bend::None)
-            .then(|| self.session().bent_targets().into_iter().zip(&self.job().moved_before).map(added).collect())
     }
 }

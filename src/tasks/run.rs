@@ -1,12 +1,14 @@
 //! A fit of any task under way: what was asked for, and the session that pulls it along.
 
+use super::engine::engine;
 use super::fit::event_reports;
 use super::saved::SavedRun;
 use crate::Result;
 use crate::metrics::{ArrangementReport, Report, ResultReport, TimeReport};
-use crate::optimize::{Event, Place, Seen, Session, wait};
+use crate::objective::Displacement;
+use crate::optimize::{Event, Place, Problem, Seen, Session, wait};
 use crate::sculpture::{MadeWith, Sculpture, render};
-use crate::settings::Settings;
+use crate::settings::{Settings, Task};
 use crate::view::{Image, Target, View};
 use crate::wire::Wire;
 
@@ -26,32 +28,73 @@ pub struct Placed {
     pub coverable: f32,
 }
 
-/// What a task brings to a fit, and what it adds to the report.
-pub trait Job: Sized {
-    /// All that was decided before the fit.
-    type Plan;
-    /// The task's name in files and reports.
-    const TASK: &'static str;
+/// All that a task decided before a fit, with the settings it was made with.
+pub trait Plan {
+    /// The settings.
+    fn settings(&self) -> &Settings;
 
-    /// All that was decided before the fit.
-    fn plan(&self) -> &Self::Plan;
+    /// What the report compares the wire's views with.
+    fn targets(&self) -> &[Target];
+
+    /// The fit from its first wire. `progress` is told how far that is (0 to 1) and cuts it short by returning false.
+    ///
+    /// # Errors
+    /// Where there is no first wire.
+    fn begin(self, progress: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn Job>, Problem)>;
+
+    /// The fit of `wire` from `iteration` on. `progress` likewise.
+    ///
+    /// # Errors
+    /// Likewise.
+    fn go_on(
+        self,
+        wire: Wire,
+        iteration: usize,
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<(Box<dyn Job>, Problem)>;
+}
+
+/// What a task brings to a fit under way, and what it adds to the report.
+pub trait Job {
+    /// The task.
+    fn task(&self) -> Task;
 
     /// What the report compares the wire's views with.
     fn targets(&self) -> &[Target];
 
     /// Names of the pictures given, as the person knows them.
-    fn sources(&self) -> &[String];
+    fn sources(&self) -> &[String] {
+        &[]
+    }
 
-    /// How view `view` of the targets came to its picture.
-    fn placed(&self, view: usize) -> Placed;
+    /// How view `view` of the targets came to its picture: the first ones to those given, in their order.
+    fn placed(&self, view: usize) -> Placed {
+        Placed {
+            view: self.targets()[view].view.clone(),
+            source: (view < self.sources().len()).then_some(view),
+            mirrored: false,
+            quarter_turns: 0,
+            coverable: 1.0,
+        }
+    }
+
+    /// Whether its views show less of a wire than all of it.
+    fn hides(&self) -> bool {
+        false
+    }
 
     /// What view `view` of the targets shows of a wire, at `width` x `height` px.
     fn draw(&self, wire: &Wire, view: usize, [width, height]: [usize; 2], _settings: &Settings) -> Image {
         render(wire, &self.targets()[view].view.with_size(width, height))
     }
 
+    /// Each view's target as it is bent now and how far its ink moved at most; `None` where nothing bends.
+    fn bent(&self, _run: &Run) -> Option<Vec<(Image, Displacement)>> {
+        None
+    }
+
     /// Adds what only this task knows to what was measured of `made`.
-    fn complete(&self, _result: &mut ResultReport, _made: &Sculpture, _run: &Run<Self>) {}
+    fn complete(&self, _result: &mut ResultReport, _made: &Sculpture, _run: &Run) {}
 
     /// After how many iterations other views are fitted; 0 keeps the first ones.
     fn change_views_every(&self, _settings: &Settings) -> usize {
@@ -65,15 +108,59 @@ pub trait Job: Sized {
 }
 
 /// A fit under way.
-pub struct Run<J: Job> {
-    job: J,
+pub struct Run {
+    job: Box<dyn Job>,
     settings: Settings,
     session: Session,
 }
 
-impl<J: Job> Run<J> {
-    pub(super) fn new(job: J, settings: &Settings, session: Session) -> Run<J> {
-        Run { job, settings: settings.clone(), session }
+impl Run {
+    /// Makes the first wire and readies the fit. `progress` is told how far the start is (0 to 1) and cuts it short by
+    /// returning false.
+    ///
+    /// # Errors
+    /// As [`Plan::begin`] and [`Problem::check`]; [`Error::Device`](crate::Error::Device) if a graphics card is asked for
+    /// and there is none that computes rightly.
+    pub fn start(plan: impl Plan, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
+        wait(Run::start_async(plan, progress))
+    }
+
+    /// [`Run::start`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::start`].
+    pub async fn start_async(plan: impl Plan, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
+        let settings = plan.settings().clone();
+        // First of all: who asks for a device that is not there should not have to wait for it.
+        let engine = engine(settings.backend).await?;
+        let (job, problem) = plan.begin(progress)?;
+        Ok(Run { job, settings, session: Session::with_engine(problem, engine)? })
+    }
+
+    /// Goes on from a checkpoint of a run of the same things: with the same settings bit for bit as if it had never been
+    /// interrupted, with others from here on as these say. `progress` as in [`Run::start`].
+    ///
+    /// # Errors
+    /// [`Error::Input`](crate::Error::Input) for bytes that are no checkpoint, damaged or of other things;
+    /// [`Error::Setting`](crate::Error::Setting) for a setting that would have made it another run.
+    pub fn resume(plan: impl Plan, checkpoint: &[u8], progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
+        wait(Run::resume_async(plan, checkpoint, progress))
+    }
+
+    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
+    ///
+    /// # Errors
+    /// As [`Run::resume`].
+    pub async fn resume_async(
+        plan: impl Plan,
+        checkpoint: &[u8],
+        progress: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<Run> {
+        let settings = plan.settings().clone();
+        let saved = SavedRun::from_bytes(checkpoint)?.for_run(plan.targets(), &settings)?;
+        let (job, problem) = plan.go_on(saved.wire().clone(), saved.iteration(), progress)?;
+        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
+        Ok(Run { job, settings, session })
     }
 
     /// The whole state, to go on from later with the task's `resume`.
@@ -117,15 +204,6 @@ impl<J: Job> Run<J> {
         Ok(every - iteration % every)
     }
 
-    pub(super) fn job(&self) -> &J {
-        &self.job
-    }
-
-    /// All that was decided before the fit.
-    pub fn plan(&self) -> &J::Plan {
-        self.job.plan()
-    }
-
     /// What the report compares the wire's views with.
     pub fn targets(&self) -> &[Target] {
         self.job.targets()
@@ -134,6 +212,17 @@ impl<J: Job> Run<J> {
     /// How view `view` of the targets came to its picture.
     pub fn placed(&self, view: usize) -> Placed {
         self.job.placed(view)
+    }
+
+    /// Each view's target as it is bent now and how far its ink moved at most (what bending before and during the fit
+    /// moved it, added up); `None` where nothing bends.
+    pub fn bent(&self) -> Option<Vec<(Image, Displacement)>> {
+        self.job.bent(self)
+    }
+
+    /// Whether its views show less of a wire than all of it: see [`Run::draw`].
+    pub fn hides(&self) -> bool {
+        self.job.hides()
     }
 
     /// The session, for its progress, history and pictures.
@@ -152,7 +241,7 @@ impl<J: Job> Run<J> {
             wire: self.session.best(),
             views: self.targets().iter().map(|target| target.view.clone()).collect(),
             made_with: MadeWith {
-                task: J::TASK.into(),
+                task: self.job.task().name().into(),
                 seed: self.settings.seed,
                 settings: self.settings.to_map(),
                 ..MadeWith::default()
@@ -190,7 +279,7 @@ impl<J: Job> Run<J> {
     pub fn report(&self, time: TimeReport, stopped: bool) -> Report {
         let Place { backend, device, .. } = self.session.place();
         Report {
-            task: J::TASK.into(),
+            task: self.job.task().name().into(),
             seed: self.settings.seed,
             backend: backend.into(),
             device,

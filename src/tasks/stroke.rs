@@ -1,7 +1,7 @@
 //! One picture to a wire that shows it from the front and still makes sense as it turns.
 //!
 //! [`plan`] finds the object, guesses the solid behind it and says what the wire should show from the front and from sides
-//! drawn from the seed; [`Run::start`] lays the first wire; the rest is as in [`super::multiview`].
+//! drawn from the seed; [`Run::start`](super::Run::start) lays the first wire; the rest is as in [`super::multiview`].
 //!
 //! A wire is ink or blank, so a grey picture cannot be met: half the pixels of an even grey are wrong however it is
 //! hatched, and the fit settles on strands that are nowhere. So the front's target is a picture of lines as wide as the
@@ -10,12 +10,9 @@
 //! wire to and fro in depth: every strand then wants to hide behind another.) A start that knows no lines gets the faint
 //! silhouette: inside it a blank pixel costs about as much as an inked one, while ink beside the solid costs the most.
 
-use super::engine::engine;
 use super::fit::{HAIRPIN_PX, at_once, recipe};
-use super::run::Placed;
-use super::saved::SavedRun;
 use super::widths::width_bounds;
-use crate::optimize::{Problem, Refine, Schedule, Seen, Session, TopologyEdit, wait};
+use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
 use crate::picture::{Ink, Mask, OBJECT_PX, Object, Picture, find_object};
 use crate::rng::Rng;
 use crate::sculpture::render_sampled;
@@ -48,6 +45,7 @@ impl Given {
 /// The object, its solid and what the wire should show, before anything is fitted.
 #[derive(Debug, Clone)]
 pub struct Plan {
+    settings: Settings,
     /// The object as it was found, of the picture's own aspect.
     pub object: Object,
     /// The solid behind it.
@@ -134,7 +132,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     }
     let names = std::iter::once(&given.picture).chain(given.others.iter().map(|other| &other.0));
     let sources = names.map(|picture| picture.name().to_owned()).collect();
-    Ok(Plan { object, solid, targets, sources, lines, notes })
+    Ok(Plan { settings: settings.clone(), object, solid, targets, sources, lines, notes })
 }
 
 /// The silhouettes from other sides, as high as the front's, and the views they are seen from.
@@ -359,21 +357,42 @@ fn in_parallel(views: &[View], make: impl Fn(&View) -> Target) -> Vec<Target> {
     views.iter().map(make).collect()
 }
 
-/// A fit of one picture under way.
-pub type Run = super::Run<Job>;
+impl super::Plan for Plan {
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.targets
+    }
+
+    fn begin(self, _: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn super::Job>, Problem)> {
+        let first = self.first_wire(&self.settings)?;
+        let problem = self.problem(first.clone(), &first, 0, &self.settings);
+        Ok((Box::new(Job { plan: self, first }), problem))
+    }
+
+    fn go_on(
+        self,
+        wire: Wire,
+        iteration: usize,
+        _: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<(Box<dyn super::Job>, Problem)> {
+        let first = self.first_wire(&self.settings)?;
+        let problem = self.problem(wire, &first, iteration, &self.settings);
+        Ok((Box::new(Job { plan: self, first }), problem))
+    }
+}
 
 /// The picture's part in a run.
-pub struct Job {
+struct Job {
     plan: Plan,
     first: Wire,
 }
 
 impl super::Job for Job {
-    type Plan = Plan;
-    const TASK: &'static str = "stroke";
-
-    fn plan(&self) -> &Plan {
-        &self.plan
+    fn task(&self) -> Task {
+        Task::Stroke
     }
 
     fn targets(&self) -> &[Target] {
@@ -384,64 +403,11 @@ impl super::Job for Job {
         &self.plan.sources
     }
 
-    fn placed(&self, view: usize) -> Placed {
-        Placed {
-            view: self.plan.targets[view].view.clone(),
-            source: (view < self.plan.sources.len()).then_some(view),
-            mirrored: false,
-            quarter_turns: 0,
-            coverable: 1.0,
-        }
-    }
-
     fn change_views_every(&self, settings: &Settings) -> usize {
         settings.new_sides
     }
 
     fn views_from(&self, iteration: usize, settings: &Settings) -> Seen {
         Seen { targets: self.plan.fitted(&self.first, iteration, settings), ..Seen::default() }
-    }
-}
-
-impl Run {
-    /// Lays the first wire and readies the fit.
-    ///
-    /// # Errors
-    /// As [`Problem::check`]; [`Error::Device`] if a graphics card is asked for and there is none that computes rightly.
-    pub fn start(plan: Plan, settings: &Settings) -> Result<Run> {
-        wait(Run::start_async(plan, settings))
-    }
-
-    /// [`Run::start`] where the thread has other things to do while a device gets ready.
-    ///
-    /// # Errors
-    /// As [`Run::start`].
-    pub async fn start_async(plan: Plan, settings: &Settings) -> Result<Run> {
-        let engine = engine(settings.backend).await?;
-        let first = plan.first_wire(settings)?;
-        let session = Session::with_engine(plan.problem(first.clone(), &first, 0, settings), engine)?;
-        Ok(Run::new(Job { plan, first }, settings, session))
-    }
-
-    /// Goes on from a checkpoint of a run of the same picture: with the same settings bit for bit as if it had never been
-    /// interrupted, with others from here on as these say.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for bytes that are no checkpoint, damaged or of another picture; [`Error::Setting`] for a setting
-    /// that would have made it another run.
-    pub fn resume(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
-        wait(Run::resume_async(plan, settings, checkpoint))
-    }
-
-    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
-    ///
-    /// # Errors
-    /// As [`Run::resume`].
-    pub async fn resume_async(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
-        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.targets, settings)?;
-        let first = plan.first_wire(settings)?;
-        let problem = plan.problem(saved.wire().clone(), &first, saved.iteration(), settings);
-        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
-        Ok(Run::new(Job { plan, first }, settings, session))
     }
 }

@@ -36,12 +36,9 @@ pub fn settings_table(task: &str) -> Result<String, JsError> {
 }
 
 fn task_of(word: &str) -> Result<Task> {
-    match word {
-        "multiview" => Ok(Task::Multiview),
-        "stroke" => Ok(Task::Stroke),
-        "fill" => Ok(Task::Fill),
-        _ => Err(Error::setting("task", format!("there is none called {word:?}"), "give multiview, stroke or fill")),
-    }
+    let unknown =
+        || Error::setting("task", format!("there is none called {word:?}"), Task::ALL.map(Task::name).join(" or "));
+    Task::ALL.into_iter().find(|task| task.name() == word).ok_or_else(unknown)
 }
 
 /// Where a fit with this `backend` (a word of the setting) will be computed, and why, as JSON: `{backend, device, why}`.

@@ -8,34 +8,16 @@ use super::{json, parse_settings};
 use crate::Result;
 use crate::optimize::Session;
 use crate::settings::{Settings, Task};
-use crate::tasks::{fill, multiview, stroke};
+use crate::tasks::{self, fill, multiview, stroke};
 use crate::view::{Image, Target};
 use wasm_bindgen::prelude::*;
 
 /// Iterations after which the page is asked whether to go on at all.
 const MOST_AT_ONCE: usize = 64;
 
-/// A fit of any task.
-enum Fit {
-    Multiview(multiview::Run),
-    Stroke(stroke::Run),
-    Fill(fill::Run),
-}
-
-/// `$body` with `$run` for the run of any task.
-macro_rules! any {
-    ($fit:expr, $run:ident => $body:expr) => {
-        match $fit {
-            Fit::Multiview($run) => $body,
-            Fit::Stroke($run) => $body,
-            Fit::Fill($run) => $body,
-        }
-    };
-}
-
 /// A fit under way.
 #[wasm_bindgen]
-pub struct Run(Fit);
+pub struct Run(tasks::Run);
 
 /// The worker's ears: `tell(words, share)` hears how far the start is, `note(words)` what a person should know about
 /// the drawings. A page that cannot listen does not stop the run.
@@ -94,12 +76,12 @@ impl Run {
         let share = 100.0 * plan.mean_coverable();
         let words = format!("Finding a way for the wire… {share:.0}% of the ink can be shown");
         ears.tell(&words, 0.0);
-        let run = multiview::Run::start_async(plan, &settings, &mut |share| {
+        let run = tasks::Run::start_async(plan, &mut |share| {
             ears.tell(&words, share);
             true
         })
         .await?;
-        Ok(Run(Fit::Multiview(run)))
+        Ok(Run(run))
     }
 
     /// Goes on from a checkpoint of a run of the same drawings.
@@ -112,12 +94,12 @@ impl Run {
     ) -> Result<Run, JsError> {
         let (ears, settings) = (Ears { tell, note }, parse_settings(Task::Multiview, settings)?);
         let plan = ears.drawings(drawings, &settings)?;
-        let run = multiview::Run::resume_async(plan, &settings, checkpoint, &mut |share| {
+        let run = tasks::Run::resume_async(plan, checkpoint, &mut |share| {
             ears.tell("Going on from there…", share);
             true
         })
         .await?;
-        Ok(Run(Fit::Multiview(run)))
+        Ok(Run(run))
     }
 
     /// Finds the solid behind one picture and lays the first wire on it.
@@ -129,7 +111,7 @@ impl Run {
     ) -> Result<Run, JsError> {
         let settings = parse_settings(Task::Stroke, settings)?;
         let plan = Ears { tell, note }.picture(subject, &settings)?;
-        Ok(Run(Fit::Stroke(stroke::Run::start_async(plan, &settings).await?)))
+        Ok(Run(tasks::Run::start_async(plan, &mut |_| true).await?))
     }
 
     /// Goes on from a checkpoint of a run of the same picture.
@@ -142,7 +124,7 @@ impl Run {
     ) -> Result<Run, JsError> {
         let settings = parse_settings(Task::Stroke, settings)?;
         let plan = Ears { tell, note }.picture(subject, &settings)?;
-        Ok(Run(Fit::Stroke(stroke::Run::resume_async(plan, &settings, checkpoint).await?)))
+        Ok(Run(tasks::Run::resume_async(plan, checkpoint, &mut |_| true).await?))
     }
 
     /// Lays the first wire over a shape.
@@ -154,7 +136,7 @@ impl Run {
     ) -> Result<Run, JsError> {
         let settings = parse_settings(Task::Fill, settings)?;
         let plan = Ears { tell, note }.surface(surface, &settings)?;
-        Ok(Run(Fit::Fill(fill::Run::start_async(plan, &settings).await?)))
+        Ok(Run(tasks::Run::start_async(plan, &mut |_| true).await?))
     }
 
     /// Goes on from a checkpoint of a run of the same shape.
@@ -167,15 +149,15 @@ impl Run {
     ) -> Result<Run, JsError> {
         let settings = parse_settings(Task::Fill, settings)?;
         let plan = Ears { tell, note }.surface(surface, &settings)?;
-        Ok(Run(Fit::Fill(fill::Run::resume_async(plan, &settings, checkpoint).await?)))
+        Ok(Run(tasks::Run::resume_async(plan, checkpoint, &mut |_| true).await?))
     }
 
     fn session(&self) -> &Session {
-        any!(&self.0, run => run.session())
+        self.0.session()
     }
 
     fn targets(&self) -> &[Target] {
-        any!(&self.0, run => run.targets())
+        self.0.targets()
     }
 
     /// Up to `count` more iterations; what happened, as JSON. Returns early when the fit moves elsewhere: so many may take
@@ -185,7 +167,7 @@ impl Run {
         let mut events = Vec::new();
         while self.iteration() < end.min(self.iterations()) && self.session().place().backend == backend {
             let at_once = MOST_AT_ONCE.min(end - self.iteration());
-            events.extend(any!(&mut self.0, run => run.step_async(at_once).await)?);
+            events.extend(self.0.step_async(at_once).await?);
         }
         Ok(json(&events))
     }
@@ -223,7 +205,7 @@ impl Run {
 
     /// The whole state, for [`Run::resume`], [`Run::resume_stroke`] or [`Run::resume_fill`].
     pub fn checkpoint(&self) -> Vec<u8> {
-        any!(&self.0, run => run.checkpoint())
+        self.0.checkpoint()
     }
 
     /// Number of views.
@@ -239,27 +221,22 @@ impl Run {
 
     /// View `index` with `ink` for what it should show.
     fn target_as(&self, index: usize, ink: &Image) -> ViewTarget {
-        ViewTarget::new(any!(&self.0, run => run.placed(index)), ink)
+        ViewTarget::new(self.0.placed(index), ink)
     }
 
     /// The best wire so far, measured. Its targets are the drawings as they were bent.
     pub fn finish(&self) -> Made {
-        let bent = match &self.0 {
-            Fit::Multiview(run) => run.bent(),
-            Fit::Stroke(_) | Fit::Fill(_) => None,
-        };
+        let bent = self.0.bent();
         let targets = match bent {
             None => (0..self.target_count()).map(|index| self.target(index)).collect(),
             Some(bent) => bent.iter().enumerate().map(|(index, (image, _))| self.target_as(index, image)).collect(),
         };
-        let made = any!(&self.0, run => Made::new(run.sculpture(), targets, run.result()));
-        match &self.0 {
-            Fit::Fill(run) => {
-                let wire = run.session().best();
-                let shown = |view| Ink::new(&run.draw(&wire, view));
-                made.with_shown((0..run.targets().len()).map(shown).collect())
-            }
-            _ => made,
+        let made = Made::new(self.0.sculpture(), targets, self.0.result());
+        if !self.0.hides() {
+            return made;
         }
+        let wire = self.session().best();
+        let shown = |view| Ink::new(&self.0.draw(&wire, view));
+        made.with_shown((0..self.target_count()).map(shown).collect())
     }
 }

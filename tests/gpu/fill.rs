@@ -4,7 +4,8 @@ use crate::gpu_common;
 use wire4d::mesh::Shape;
 use wire4d::picture::Pattern;
 use wire4d::settings::{Backend, Preset, Settings, Task};
-use wire4d::tasks::fill::{Given, Run, Style, plan};
+use wire4d::tasks::Run;
+use wire4d::tasks::fill::{Given, Style, plan};
 
 fn fitted(backend: Backend, seed: u64) -> Run {
     let settings = Settings {
@@ -18,7 +19,7 @@ fn fitted(backend: Backend, seed: u64) -> Run {
     };
     let style = Style { name: "waves".into(), ink: Pattern::Waves.picture(256), tiles: true };
     let given = Given { style: Some(style), ..Given::shape(Shape::Torus) };
-    let mut run = Run::start(plan(&given, &settings, &mut |_| true).unwrap().unwrap(), &settings).unwrap();
+    let mut run = Run::start(plan(&given, &settings, &mut |_| true).unwrap().unwrap(), &mut |_| true).unwrap();
     run.step(usize::MAX).unwrap();
     run
 }

@@ -3,7 +3,8 @@
 use wire4d::mesh::Shape;
 use wire4d::picture::Pattern;
 use wire4d::settings::{Flow, Preset, Settings, Task};
-use wire4d::tasks::fill::{self, Given, Plan, Run, Style};
+use wire4d::tasks::Run;
+use wire4d::tasks::fill::{self, Given, Plan, Style};
 use wire4d::view::Image;
 
 /// Coarse and small, so that a run takes a moment.
@@ -29,7 +30,7 @@ fn plan(given: &Given, settings: &Settings) -> Plan {
 }
 
 fn finished(given: &Given, settings: &Settings) -> Run {
-    let mut run = Run::start(plan(given, settings), settings).unwrap();
+    let mut run = Run::start(plan(given, settings), &mut |_| true).unwrap();
     run.step(usize::MAX).unwrap();
     run
 }
@@ -55,16 +56,16 @@ fn one_closed_wire_stays_on_the_surface() {
 fn the_same_seed_gives_the_same_wire_however_often_it_is_interrupted() {
     let (given, settings) = (given(Some(Pattern::Waves)), settings());
     let whole = finished(&given, &settings).sculpture().wire;
-    let mut run = Run::start(plan(&given, &settings), &settings).unwrap();
+    let mut run = Run::start(plan(&given, &settings), &mut |_| true).unwrap();
     // Between two times that tangent planes are taken, and in the middle of a round of sides.
     run.step(13).unwrap();
     let saved = run.checkpoint();
-    let mut resumed = Run::resume(plan(&given, &settings), &settings, &saved).unwrap();
+    let mut resumed = Run::resume(plan(&given, &settings), &saved, &mut |_| true).unwrap();
     resumed.step(usize::MAX).unwrap();
     assert!(resumed.sculpture().wire == whole);
     assert!(finished(&given, &Settings { seed: 1, ..settings }).sculpture().wire != whole);
     let other = Settings { density: 0.9, ..self::settings() };
-    assert!(Run::resume(plan(&given, &other), &other, &saved).is_err(), "another picture is asked for");
+    assert!(Run::resume(plan(&given, &other), &saved, &mut |_| true).is_err(), "another picture is asked for");
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use std::path::Path;
 use wire4d::picture::read_picture;
 use wire4d::settings::{Bend, OnOff, Preset, Settings, Start, Task};
-use wire4d::tasks::multiview::{Drawing, Run, plan};
+use wire4d::tasks::Run;
+use wire4d::tasks::multiview::{Drawing, plan};
 
 /// Means over the views, each 0 to 1, and the number of parts the wire falls into.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +38,7 @@ fn fit(set: &str, settings: &Settings) -> Figures {
         .filter(|file| file.is_file())
         .map(|file| Drawing::new(&read_picture(file).unwrap(), None, settings).unwrap().0)
         .collect();
-    let mut run = Run::start(plan(&drawings, settings).unwrap(), settings, &mut |_| true).unwrap();
+    let mut run = Run::start(plan(&drawings, settings).unwrap(), &mut |_| true).unwrap();
     run.step(settings.iterations).unwrap();
     let result = run.result();
     let mean = |figure: fn(&wire4d::metrics::ViewReport) -> Option<f64>| {

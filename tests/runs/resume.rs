@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::sync::LazyLock;
 use wire4d::settings::Settings;
-use wire4d::tasks::multiview::{Drawing, Run, plan};
+use wire4d::tasks::Run;
+use wire4d::tasks::multiview::{Drawing, plan};
 use wire4d::{Error, Result};
 
 const SIDE: usize = 64;
@@ -35,11 +36,11 @@ fn settings(more: &[(&str, &str)]) -> Settings {
 }
 
 fn started(settings: &Settings) -> Run {
-    Run::start(plan(&drawings(), settings).unwrap(), settings, &mut |_| true).unwrap()
+    Run::start(plan(&drawings(), settings).unwrap(), &mut |_| true).unwrap()
 }
 
 fn resumed(settings: &Settings, bytes: &[u8]) -> Result<Run> {
-    Run::resume(plan(&drawings(), settings).unwrap(), settings, bytes, &mut |_| true)
+    Run::resume(plan(&drawings(), settings).unwrap(), bytes, &mut |_| true)
 }
 
 fn assert_same(a: &Run, b: &Run) {
@@ -90,7 +91,7 @@ fn settings_that_keep_the_run_may_change_and_others_are_named() {
     }
     let mut thin = resumed(&settings(&[("max-width", "1.5")]), &SAVED).unwrap();
     thin.step(usize::MAX).unwrap();
-    let px = thin.plan().arrangement.height_world / 256.0;
+    let px = plan(&drawings(), thin.settings()).unwrap().arrangement.height_world / 256.0;
     let widest = thin.sculpture().wire.control_points().iter().map(|point| point[3]).fold(0.0, f64::max);
     assert!(widest <= 1.5001 * px, "the new bound holds, also for the best wire: {} px", widest / px);
     for (name, value) in [
@@ -118,7 +119,7 @@ fn other_drawings_and_foreign_bytes_are_refused_in_a_sentence() {
         error.unwrap().to_string()
     };
     let plan = plan(&other, &settings).unwrap();
-    let error = sentence(Run::resume(plan, &settings, &SAVED, &mut |_| true).err());
+    let error = sentence(Run::resume(plan, &SAVED, &mut |_| true).err());
     assert!(error.contains("other drawings"), "{error}");
     for foreign in [&b""[..], b"W4R", b"\x89PNG\r\n\x1a\n and more", &[0; 64]] {
         assert!(sentence(resumed(&settings, foreign).err()).contains("none of a run"));

@@ -2,7 +2,8 @@
 use std::path::Path;
 use wire4d::picture::read_picture;
 use wire4d::settings::Task;
-use wire4d::tasks::stroke::{Given, Run, plan};
+use wire4d::tasks::Run;
+use wire4d::tasks::stroke::{Given, plan};
 
 #[test]
 fn every_picture_reads_from_the_front_and_stays_within_its_solid() {
@@ -16,7 +17,7 @@ fn every_picture_reads_from_the_front_and_stays_within_its_solid() {
     for path in pictures {
         assert!(std::fs::metadata(&path).unwrap().len() <= 30_000);
         let plan = plan(&Given::picture(read_picture(&path).unwrap()), &settings).unwrap();
-        let mut run = Run::start(plan, &settings).unwrap();
+        let mut run = Run::start(plan, &mut |_| true).unwrap();
         run.step(usize::MAX).unwrap();
         let result = run.result();
         let (front, sides) = (&result.views[0], &result.views[1..]);

@@ -3,7 +3,8 @@
 use wire4d::metrics::{ResultReport, TimeReport};
 use wire4d::picture::Picture;
 use wire4d::settings::{Settings, Task};
-use wire4d::tasks::stroke::{Given, Plan, Run, plan};
+use wire4d::tasks::Run;
+use wire4d::tasks::stroke::{Given, Plan, plan};
 use wire4d::view::{Image, ViewSpec};
 
 const SIDE: usize = 96;
@@ -43,14 +44,14 @@ fn planned(picture: Picture, settings: &Settings) -> Plan {
     plan(&Given::picture(picture), settings).unwrap()
 }
 
-fn finished(plan: Plan, settings: &Settings) -> Run {
-    let mut run = Run::start(plan, settings).unwrap();
+fn finished(plan: Plan) -> Run {
+    let mut run = Run::start(plan, &mut |_| true).unwrap();
     run.step(usize::MAX).unwrap();
     run
 }
 
 fn result(picture: Picture, settings: &Settings) -> ResultReport {
-    finished(planned(picture, settings), settings).result()
+    finished(planned(picture, settings)).result()
 }
 
 #[test]
@@ -58,7 +59,7 @@ fn pictures_are_shown_from_the_front_and_solids_from_the_sides() {
     let settings = quick(&[]);
     for picture in [ball(), letter()] {
         let name = picture.name().to_owned();
-        let run = finished(planned(picture, &settings), &settings);
+        let run = finished(planned(picture, &settings));
         let report = run.report(TimeReport::default(), false);
         assert_eq!((report.task.as_str(), report.stopped), ("stroke", false));
         assert_eq!((report.arrangement.len(), report.arrangement[0].source.as_str()), (1, name.as_str()));
@@ -77,15 +78,15 @@ fn pictures_are_shown_from_the_front_and_solids_from_the_sides() {
 #[test]
 fn the_seed_decides_and_a_checkpoint_goes_on() {
     let settings = quick(&[("iterations", "24")]);
-    let whole = finished(planned(ball(), &settings), &settings).sculpture();
-    let mut half = Run::start(planned(ball(), &settings), &settings).unwrap();
+    let whole = finished(planned(ball(), &settings)).sculpture();
+    let mut half = Run::start(planned(ball(), &settings), &mut |_| true).unwrap();
     half.step(11).unwrap();
-    let mut resumed = Run::resume(planned(ball(), &settings), &settings, &half.checkpoint()).unwrap();
+    let mut resumed = Run::resume(planned(ball(), &settings), &half.checkpoint(), &mut |_| true).unwrap();
     resumed.step(usize::MAX).unwrap();
     assert_eq!(resumed.sculpture(), whole);
-    assert!(Run::resume(planned(letter(), &settings), &settings, &half.checkpoint()).is_err());
+    assert!(Run::resume(planned(letter(), &settings), &half.checkpoint(), &mut |_| true).is_err());
     let other = quick(&[("iterations", "24"), ("seed", "1")]);
-    assert_ne!(finished(planned(ball(), &other), &other).sculpture().views, whole.views, "other sides");
+    assert_ne!(finished(planned(ball(), &other)).sculpture().views, whole.views, "other sides");
 }
 
 #[test]
@@ -98,7 +99,7 @@ fn settings_visibly_work() {
     let few = result(ball(), &quick(&[("control-points", "120")]));
     assert_eq!(few.control_points, 120);
     assert!(few.shape.length < result(ball(), &quick(&[])).shape.length);
-    let even = finished(planned(letter(), &quick(&[])), &quick(&[("min-width", "3"), ("max-width", "3")])).sculpture();
+    let even = finished(planned(letter(), &quick(&[("min-width", "3"), ("max-width", "3")]))).sculpture();
     let widths = || even.wire.control_points().iter().map(|point| point[3]);
     let [least, most] = [widths().fold(f64::MAX, f64::min), widths().fold(0.0, f64::max)];
     assert!(most - least < 1e-6 * most, "one width: {least} to {most}");
@@ -160,7 +161,7 @@ fn creases_ask_for_the_solids_outline_from_the_sides() {
     // What the sides ask for shows in the fit: more of each side's outline is met.
     let ink_on_outline = |creases: &str| {
         let settings = quick(&[("creases", creases), ("hatch", "40")]);
-        let made = finished(planned(ball(), &settings), &settings).sculpture();
+        let made = finished(planned(ball(), &settings)).sculpture();
         let solid = planned(ball(), &settings).solid;
         let each = made.views[1..].iter().map(|view| {
             let shown = wire4d::sculpture::render(&made.wire, view);
@@ -177,7 +178,7 @@ fn creases_ask_for_the_solids_outline_from_the_sides() {
 fn the_papers_way_runs_and_refines() {
     let pairs = [("preset", "paper"), ("backend", "cpu"), ("iterations", "30"), ("size", "96"), ("side-views", "2")];
     let settings = Task::Stroke.settings(pairs).unwrap();
-    let report = finished(planned(ball(), &settings), &settings).report(TimeReport::default(), false);
+    let report = finished(planned(ball(), &settings)).report(TimeReport::default(), false);
     let happened: Vec<_> =
         report.events.iter().map(|event| (event.kind.as_str(), event.iteration)).filter(|it| it.0 != "stage").collect();
     assert_eq!(happened, [("reinit", 5), ("reinit", 10), ("refine", 20), ("done", 30)]);
@@ -256,7 +257,7 @@ fn sides_change_as_the_run_goes_and_a_checkpoint_knows_which() {
         let targets = run.session().problem().targets.iter();
         targets.map(|target| target.view.camera::<f64>().project(&[0.3, 0.2, 0.1, 0.1])).collect()
     };
-    let start = || Run::start(planned(ball(), &settings), &settings).unwrap();
+    let start = || Run::start(planned(ball(), &settings), &mut |_| true).unwrap();
     let mut run = start();
     let mut seen = Vec::new();
     for _ in 0..3 {
@@ -274,7 +275,7 @@ fn sides_change_as_the_run_goes_and_a_checkpoint_knows_which() {
     for interrupted in [7, 8, 13] {
         let mut half = start();
         half.step(interrupted).unwrap();
-        let mut resumed = Run::resume(planned(ball(), &settings), &settings, &half.checkpoint()).unwrap();
+        let mut resumed = Run::resume(planned(ball(), &settings), &half.checkpoint(), &mut |_| true).unwrap();
         while !resumed.session().is_done() {
             resumed.step(5).unwrap();
         }
@@ -282,7 +283,7 @@ fn sides_change_as_the_run_goes_and_a_checkpoint_knows_which() {
     }
     // Sibling: without the changes it is another wire.
     let kept = quick(&[("iterations", "24"), ("new-sides", "0")]);
-    let mut other = finished(planned(ball(), &kept), &kept).sculpture();
+    let mut other = finished(planned(ball(), &kept)).sculpture();
     other.made_with = whole.made_with.clone();
     assert_ne!(other, whole);
 }

@@ -9,7 +9,7 @@ use wire4d::export::{ExportOptions, Format, export};
 use wire4d::metrics::{ReadingReport, Report, TimeReport};
 use wire4d::picture::{GreyDepth, encode_png};
 use wire4d::sculpture::Sculpture;
-use wire4d::tasks::{Job, Run};
+use wire4d::tasks::Run;
 use wire4d::view::Image;
 use wire4d::{Error, Result};
 
@@ -62,7 +62,7 @@ impl Making {
     }
 
     /// Fits to the end, or until somebody stops it, and says where the time went.
-    pub fn fit<J: Job>(&self, run: &mut Run<J>) -> Result<TimeReport> {
+    pub fn fit(&self, run: &mut Run) -> Result<TimeReport> {
         let start_s = self.begin.elapsed().as_secs_f64();
         self.bar.set_length(run.session().total() as u64);
         self.bar.set_message("Fitting");

@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use wire4d::metrics::{ReadingReport, Report};
 use wire4d::picture::{GreyDepth, read_picture};
 use wire4d::settings::{Settings, Task};
-use wire4d::tasks::multiview::{self, Drawing, Run};
+use wire4d::start::Coverable;
+use wire4d::tasks::Run;
+use wire4d::tasks::multiview::{self, Drawing};
 use wire4d::view::{Image, ViewSpec, parse_placed_picture};
 use wire4d::{Result, sculpture};
 
@@ -28,31 +30,31 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         bar.println("NAME-missing.png will show the lines that no object can show");
     }
     bar.set_message(format!("Finding a first wire ({:.0}% of the ink can be shown)", 100.0 * plan.mean_coverable()));
-    let mut run = Run::start(plan, &settings, &mut |share| {
+    let coverable = plan.coverable.clone();
+    let mut run = Run::start(plan, &mut |share| {
         bar.set_position((share * 100.0) as u64);
         !making.is_stopped()
     })?;
     let time = making.fit(&mut run)?;
     let report = Report { reading, ..run.report(time, !run.session().is_done()) };
     save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
-    save_pictures(&folder, &run)?;
+    save_pictures(&folder, &run, &coverable)?;
     bar.finish_and_clear();
     folder.finish()?;
     println!("{}", out.join("report.json").display());
     Ok(())
 }
 
-fn save_pictures(folder: &Folder, run: &Run) -> Result<()> {
+fn save_pictures(folder: &Folder, run: &Run, coverable: &[Coverable]) -> Result<()> {
     let made = run.sculpture();
     let bent = run.bent();
-    for (index, target) in run.plan().arrangement.targets.iter().enumerate() {
+    for (index, target) in run.targets().iter().enumerate() {
         let name = &target.view.name;
         let save = |suffix: &str, picture: &Image, depth| save_picture(folder, name, suffix, picture, depth);
         save("", &sculpture::render(&made.wire, &target.view), GreyDepth::Bits16)?;
         save("-target", &target.ink, GreyDepth::Bits8)?;
-        let coverable = &run.plan().coverable[index];
-        if coverable.share < 1.0 {
-            save("-missing", &coverable.missing, GreyDepth::Bits8)?;
+        if coverable[index].share < 1.0 {
+            save("-missing", &coverable[index].missing, GreyDepth::Bits8)?;
         }
         if let Some(bent) = &bent {
             save("-bent", &bent[index].0, GreyDepth::Bits8)?;

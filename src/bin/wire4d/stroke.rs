@@ -6,7 +6,8 @@ use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use wire4d::picture::{GreyDepth, Picture, read_depth, read_picture};
 use wire4d::settings::Task;
-use wire4d::tasks::stroke::{self, Given, Run};
+use wire4d::tasks::Run;
+use wire4d::tasks::stroke::{self, Given};
 use wire4d::view::{Image, parse_placed_picture};
 use wire4d::{Result, sculpture};
 
@@ -22,18 +23,19 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let plan = stroke::plan(&given, &settings)?;
     plan.notes().iter().for_each(|note| making.say(note));
     making.bar.set_message("Laying a first wire");
-    let mut run = Run::start(plan, &settings)?;
+    let mask = plan.object.mask.clone();
+    let mut run = Run::start(plan, &mut |_| true)?;
     let time = making.fit(&mut run)?;
     let report = run.report(time, !run.session().is_done());
 
     let made = run.sculpture();
     save(&folder, &made, &report, &run.loss_csv())?;
-    for target in &run.plan().targets {
+    for target in run.targets() {
         let name = &target.view.name;
         save_picture(&folder, name, "", &sculpture::render(&made.wire, &target.view), GreyDepth::Bits16)?;
         save_picture(&folder, name, "-target", &target.ink, GreyDepth::Bits8)?;
     }
-    save_picture(&folder, "mask", "", &run.plan().object.mask, GreyDepth::Bits8)?;
+    save_picture(&folder, "mask", "", &mask, GreyDepth::Bits8)?;
     making.bar.finish_and_clear();
     folder.finish()?;
     println!("{}", out.join("report.json").display());

@@ -1,6 +1,6 @@
 //! One curve over a mesh, bent and thickened by a style.
 //!
-//! [`plan`] covers the mesh with one closed curve; [`Run::start`] fits a wire of even width to it; the fit then looks at it
+//! [`plan`] covers the mesh with one closed curve; [`Run::start`](super::Run::start) fits a wire of even width to it; the fit then looks at it
 //! from other views every step. Each view asks for as much ink on the mesh's silhouette as the density says (the paper's
 //! `α · mask`), more of it where the style's picture, laid on the surface, is dark, and for the texture of that picture.
 //! Strands behind the surface are not seen, and all are held to it, so that what is seen and what is not stays clear.
@@ -11,15 +11,13 @@ mod looks;
 mod motif;
 mod texture;
 
-use super::engine::engine;
 use super::fit::{at_once, recipe};
-use super::run::Placed;
-use super::saved::SavedRun;
+use super::run::Run;
 use crate::Result;
 use crate::mesh::{Depths, Mesh, Nearest, Shape};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::objective::Texture;
-use crate::optimize::{Problem, Schedule, Seen, Session, Surface, wait};
+use crate::optimize::{Problem, Schedule, Seen, Surface};
 use crate::picture::Pattern;
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
@@ -66,6 +64,7 @@ impl Style {
 
 /// The curve and what it should show, before anything is fitted.
 pub struct Plan {
+    settings: Settings,
     name: String,
     mesh: Arc<Mesh>,
     nearest: Arc<Nearest>,
@@ -149,6 +148,7 @@ fn planned(given: &Given, filling: Filling, texture: Option<Arc<Texture>>, setti
     }
     notes.extend(first::width_note(settings));
     let mut plan = Plan {
+        settings: settings.clone(),
         name: given.name.clone(),
         mesh: Arc::clone(&given.mesh),
         nearest: Arc::new(Nearest::new(&given.mesh)),
@@ -256,38 +256,47 @@ impl Plan {
     }
 }
 
-/// A fit to a mesh under way.
-pub type Run = super::Run<Job>;
+impl super::Plan for Plan {
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.targets
+    }
+
+    fn begin(self, _: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn super::Job>, Problem)> {
+        let problem = self.problem(self.first_wire(&self.settings)?, 0, &self.settings);
+        Ok((Box::new(Job { plan: self }), problem))
+    }
+
+    fn go_on(
+        self,
+        wire: Wire,
+        iteration: usize,
+        _: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<(Box<dyn super::Job>, Problem)> {
+        let problem = self.problem(wire, iteration, &self.settings);
+        Ok((Box::new(Job { plan: self }), problem))
+    }
+}
 
 /// The mesh's part in a run.
-pub struct Job {
+struct Job {
     plan: Plan,
 }
 
 impl super::Job for Job {
-    type Plan = Plan;
-    const TASK: &'static str = "fill";
-
-    fn plan(&self) -> &Plan {
-        &self.plan
+    fn task(&self) -> Task {
+        Task::Fill
     }
 
     fn targets(&self) -> &[Target] {
         &self.plan.targets
     }
 
-    fn sources(&self) -> &[String] {
-        &[]
-    }
-
-    fn placed(&self, view: usize) -> Placed {
-        Placed {
-            view: self.plan.targets[view].view.clone(),
-            source: None,
-            mirrored: false,
-            quarter_turns: 0,
-            coverable: 1.0,
-        }
+    fn hides(&self) -> bool {
+        true
     }
 
     fn draw(&self, wire: &Wire, view: usize, size: [usize; 2], settings: &Settings) -> Image {
@@ -304,47 +313,6 @@ impl super::Job for Job {
 
     fn views_from(&self, iteration: usize, settings: &Settings) -> Seen {
         self.plan.looked_at(iteration, settings)
-    }
-}
-
-impl Run {
-    /// Lays the first wire and readies the fit.
-    ///
-    /// # Errors
-    /// As [`Problem::check`]; [`Error::Device`] if a graphics card is asked for and there is none that computes rightly.
-    pub fn start(plan: Plan, settings: &Settings) -> Result<Run> {
-        wait(Run::start_async(plan, settings))
-    }
-
-    /// [`Run::start`] where the thread has other things to do while a device gets ready.
-    ///
-    /// # Errors
-    /// As [`Run::start`].
-    pub async fn start_async(plan: Plan, settings: &Settings) -> Result<Run> {
-        let engine = engine(settings.backend).await?;
-        let session = Session::with_engine(plan.problem(plan.first_wire(settings)?, 0, settings), engine)?;
-        Ok(Run::new(Job { plan }, settings, session))
-    }
-
-    /// Goes on from a checkpoint of a run of the same mesh: with the same settings bit for bit as if it had never been
-    /// interrupted, with others from here on as these say.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for bytes that are no checkpoint, damaged or of another mesh; [`Error::Setting`] for a setting that
-    /// would have made it another run.
-    pub fn resume(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
-        wait(Run::resume_async(plan, settings, checkpoint))
-    }
-
-    /// [`Run::resume`] where the thread has other things to do while a device gets ready.
-    ///
-    /// # Errors
-    /// As [`Run::resume`].
-    pub async fn resume_async(plan: Plan, settings: &Settings, checkpoint: &[u8]) -> Result<Run> {
-        let saved = SavedRun::from_bytes(checkpoint)?.for_run(&plan.targets, settings)?;
-        let problem = plan.problem(saved.wire().clone(), saved.iteration(), settings);
-        let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
-        Ok(Run::new(Job { plan }, settings, session))
     }
 }
 
