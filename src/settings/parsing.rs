@@ -1,7 +1,7 @@
 //! Settings from texts and back, and what values they may have.
 
 use super::words::*;
-use super::{Settings, TABLE};
+use super::{Affects, Settings, TABLE};
 use crate::{Error, Result};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -114,6 +114,13 @@ impl Settings {
             Ok(Value::Object(map)) => map,
             _ => serde_json::Map::new(),
         }
+    }
+
+    /// Values of the settings that affect something, in the table's order.
+    pub fn texts_affecting(&self, what: Affects) -> Vec<String> {
+        let mut texts = self.to_texts();
+        let rows = TABLE.iter().filter(|row| row.affects.contains(&what));
+        rows.map(|row| texts.remove(row.name).unwrap_or_default()).collect()
     }
 
     /// Every value by name as the text that [`Settings::set`] takes.

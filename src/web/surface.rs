@@ -5,7 +5,7 @@ use super::pictures::Ink;
 use super::{json, parse_settings};
 use crate::mesh::{Mesh, Shape};
 use crate::picture::{Pattern, Picture, Polarity, Reading};
-use crate::settings::{Flow, Motif, Settings, Start, Task};
+use crate::settings::{Affects, Flow, Settings, Task};
 use crate::start::Filling;
 use crate::tasks::fill::{self, Given, Plan, Style};
 use crate::wire::Wire;
@@ -27,11 +27,8 @@ pub struct Surface {
 /// All that the way of a curve depends on, but the shape.
 #[derive(PartialEq)]
 struct Course {
-    spacing: f64,
-    flow: Flow,
-    start: Start,
-    seed: u64,
-    style: Option<(Style, f64, Motif)>,
+    settings: Vec<String>,
+    style: Option<(Style, Vec<String>)>,
 }
 
 impl Course {
@@ -39,11 +36,8 @@ impl Course {
         let follows = settings.flow == Flow::Style;
         let style = given.style.as_ref().filter(|_| follows);
         Course {
-            spacing: settings.curve_spacing,
-            flow: settings.flow,
-            start: settings.start,
-            seed: settings.seed,
-            style: style.map(|style| (style.clone(), settings.style_size, settings.motif)),
+            settings: settings.texts_affecting(Affects::Curve),
+            style: style.map(|style| (style.clone(), settings.texts_affecting(Affects::StyledCurve))),
         }
     }
 }
