@@ -74,7 +74,7 @@ pub struct ReadingReport {
     pub source: String,
     /// `dark` or `light`: the ink against its ground.
     pub ink: String,
-    /// Colours of ink and ground, `#rrggbb`.
+    /// Mean colours of ink and of what is none, `#rrggbb`, or `transparent`.
     pub colours: [String; 2],
     /// Share of the picture that is ink, 0 to 1.
     pub share: f64,
@@ -87,14 +87,20 @@ pub struct ReadingReport {
 impl ReadingReport {
     /// How `picture` was read as `ink` on `ground`.
     pub fn new(picture: &Picture, ink: &Image, ground: &Ground) -> ReadingReport {
-        let hex = |colour: [f32; 3]| {
-            let [r, g, b] = colour.map(|value| (255.0 * value).round() as u8);
-            format!("#{r:02x}{g:02x}{b:02x}")
+        let mean = |of: &dyn Fn(f32) -> bool| {
+            let (mut sums, mut count) = ([0u64; 3], 0u64);
+            for (pixel, _) in picture.rgba().chunks_exact(4).zip(&ink.data).filter(|(p, ink)| p[3] == 255 && of(**ink))
+            {
+                (0..3).for_each(|c| sums[c] += u64::from(pixel[c]));
+                count += 1;
+            }
+            let [r, g, b] = sums.map(|sum| (sum + count / 2) / count.max(1));
+            if count > 0 { format!("#{r:02x}{g:02x}{b:02x}") } else { "transparent".into() }
         };
         ReadingReport {
             source: picture.name().to_owned(),
             ink: if ground.polarity == Polarity::LightInk { "light" } else { "dark" }.into(),
-            colours: [hex(ground.ink), hex(ground.colour)],
+            colours: [mean(&|ink| ink > 0.9), mean(&|ink| ink < 0.1)],
             share: ink.data.iter().map(|&value| f64::from(value)).sum::<f64>() / ink.data.len() as f64,
             because: ground.words(),
             notes: picture.notes(),

@@ -171,10 +171,6 @@ pub struct Ground {
     pub polarity: Polarity,
     /// Why.
     pub because: Because,
-    /// Its colour, encoded: red, green, blue, 0 to 1.
-    pub colour: [f32; 3],
-    /// The ink's.
-    pub ink: [f32; 3],
 }
 
 impl Ground {
@@ -249,7 +245,7 @@ pub fn ink(picture: &Picture, polarity: Polarity) -> Result<(Image, Ground)> {
             }
         }
     };
-    let mut ground = Ground { polarity, because, colour: [paper; 3], ink: [1.0 - paper; 3] };
+    let mut ground = Ground { polarity, because };
     let mut found = image(match shade {
         Some(_) => picture.rgba.chunks_exact(4).map(|p| f32::from(p[3]) / 255.0).collect(),
         None if polarity == Polarity::LightInk => lumas().collect(),
@@ -262,8 +258,8 @@ pub fn ink(picture: &Picture, polarity: Polarity) -> Result<(Image, Ground)> {
         let more = stretch(&mut other, None);
         if more > MORE_IN_COLOUR * contrast {
             (found, contrast) = (other, more);
-            ground =
-                Ground { polarity: natural, because: if cut.is_some() { because } else { Because::Most }, ..ground };
+            let because = if cut.is_some() { because } else { Because::Most };
+            ground = Ground { polarity: natural, because };
         }
     }
     if contrast == 0.0 {
@@ -281,14 +277,6 @@ pub fn ink(picture: &Picture, polarity: Polarity) -> Result<(Image, Ground)> {
     }
     if inked as f64 > 0.985 * found.data.len() as f64 {
         return fail("is inked all over", "use a drawing with ground around its ink, or the other polarity");
-    }
-    let inside = |i: usize| inside.as_ref().is_none_or(|inside| inside.data[i]);
-    let those = |of: &dyn Fn(f32) -> bool| {
-        mean((0..colours.len()).filter(|&i| inside(i) && of(found.data[i])).map(|i| colours[i]))
-    };
-    ground.ink = shade.unwrap_or_else(|| those(&|value| value > 0.9));
-    if because != Because::Transparent {
-        ground.colour = those(&|value| value < 0.1);
     }
     Ok((found, ground))
 }
@@ -541,9 +529,6 @@ mod tests {
             let (image, found) = mixed(ground, colour, 0.0);
             assert!(difference(&image) < 4e-3, "{colour:?} on {ground:?}: {}", difference(&image));
             assert_eq!(found.polarity, polarity, "{colour:?} on {ground:?}");
-            for (found, given) in [(found.colour, ground), (found.ink, colour)] {
-                assert!((0..3).all(|c| (255.0 * found[c] - f32::from(given[c])).abs() < 6.0), "{found:?} is {given:?}");
-            }
             let (image, _) = mixed(ground, colour, 8.0);
             assert!(difference(&image) < 0.04, "{colour:?} on grainy {ground:?}: {}", difference(&image));
         }
