@@ -152,6 +152,8 @@ export async function figure(page: Page, name: string): Promise<string | null> {
 export async function choose(page: Page, setting: string, value: string): Promise<void> {
   const radio = page.locator(`input[type=radio][name=${setting}][value="${value}"]`);
   if (await radio.count()) {
+    // Nobody waits for what is forced: the part it is in may just be turning up.
+    while (!(await radio.evaluate((element) => element.checkVisibility()))) await page.waitForTimeout(20);
     await radio.check({ force: true });
     return;
   }
