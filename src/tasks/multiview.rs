@@ -270,21 +270,22 @@ impl super::Plan for Plan {
         &self.arrangement.targets
     }
 
-    fn begin(self, progress: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn super::Job>, Problem)> {
-        let bending = if self.bends_before() { BENDING_SHARE } else { 0.0 };
-        let (targets, moved_before) = self.targets_to_fit(&mut |share| progress(bending * share))?;
-        let wire = self.first_wire(&targets, &mut |share| progress(bending + (1.0 - bending) * share))?;
-        let problem = self.problem(wire, targets);
-        Ok((Box::new(Job { plan: self, moved_before }), problem))
-    }
-
-    fn go_on(
+    fn prepare(
         self,
-        wire: Wire,
-        _: usize,
+        from: Option<(Wire, usize)>,
         progress: &mut dyn FnMut(f32) -> bool,
     ) -> Result<(Box<dyn super::Job>, Problem)> {
-        let (targets, moved_before) = self.targets_to_fit(progress)?;
+        // What a wire from before grew from does not count any more.
+        let bending = match &from {
+            Some(_) => 1.0,
+            None if self.bends_before() => BENDING_SHARE,
+            None => 0.0,
+        };
+        let (targets, moved_before) = self.targets_to_fit(&mut |share| progress(bending * share))?;
+        let wire = match from {
+            Some((wire, _)) => wire,
+            None => self.first_wire(&targets, &mut |share| progress(bending + (1.0 - bending) * share))?,
+        };
         let problem = self.problem(wire, targets);
         Ok((Box::new(Job { plan: self, moved_before }), problem))
     }

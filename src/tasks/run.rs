@@ -36,20 +36,14 @@ pub trait Plan {
     /// What the report compares the wire's views with.
     fn targets(&self) -> &[Target];
 
-    /// The fit from its first wire. `progress` is told how far that is (0 to 1) and cuts it short by returning false.
+    /// The fit of a wire from an iteration on, or of the first wire. `progress` is told how far that is (0 to 1) and cuts it
+    /// short by returning false.
     ///
     /// # Errors
     /// Where there is no first wire.
-    fn begin(self, progress: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn Job>, Problem)>;
-
-    /// The fit of `wire` from `iteration` on. `progress` likewise.
-    ///
-    /// # Errors
-    /// Likewise.
-    fn go_on(
+    fn prepare(
         self,
-        wire: Wire,
-        iteration: usize,
+        from: Option<(Wire, usize)>,
         progress: &mut dyn FnMut(f32) -> bool,
     ) -> Result<(Box<dyn Job>, Problem)>;
 }
@@ -119,7 +113,7 @@ impl Run {
     /// returning false.
     ///
     /// # Errors
-    /// As [`Plan::begin`] and [`Problem::check`]; [`Error::Device`](crate::Error::Device) if a graphics card is asked for
+    /// As [`Plan::prepare`] and [`Problem::check`]; [`Error::Device`](crate::Error::Device) if a graphics card is asked for
     /// and there is none that computes rightly.
     pub fn start(plan: impl Plan, progress: &mut dyn FnMut(f32) -> bool) -> Result<Run> {
         wait(Run::start_async(plan, progress))
@@ -133,7 +127,7 @@ impl Run {
         let settings = plan.settings().clone();
         // First of all: who asks for a device that is not there should not have to wait for it.
         let engine = engine(settings.backend).await?;
-        let (job, problem) = plan.begin(progress)?;
+        let (job, problem) = plan.prepare(None, progress)?;
         Ok(Run { job, settings, session: Session::with_engine(problem, engine)? })
     }
 
@@ -158,7 +152,7 @@ impl Run {
     ) -> Result<Run> {
         let settings = plan.settings().clone();
         let saved = SavedRun::from_bytes(checkpoint)?.for_run(plan.targets(), &settings)?;
-        let (job, problem) = plan.go_on(saved.wire().clone(), saved.iteration(), progress)?;
+        let (job, problem) = plan.prepare(Some((saved.wire().clone(), saved.iteration())), progress)?;
         let session = Session::resume_with_engine(problem, saved, engine(settings.backend).await?)?;
         Ok(Run { job, settings, session })
     }

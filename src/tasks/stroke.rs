@@ -366,19 +366,13 @@ impl super::Plan for Plan {
         &self.targets
     }
 
-    fn begin(self, _: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn super::Job>, Problem)> {
-        let first = self.first_wire(&self.settings)?;
-        let problem = self.problem(first.clone(), &first, 0, &self.settings);
-        Ok((Box::new(Job { plan: self, first }), problem))
-    }
-
-    fn go_on(
+    fn prepare(
         self,
-        wire: Wire,
-        iteration: usize,
+        from: Option<(Wire, usize)>,
         _: &mut dyn FnMut(f32) -> bool,
     ) -> Result<(Box<dyn super::Job>, Problem)> {
         let first = self.first_wire(&self.settings)?;
+        let (wire, iteration) = from.unwrap_or_else(|| (first.clone(), 0));
         let problem = self.problem(wire, &first, iteration, &self.settings);
         Ok((Box::new(Job { plan: self, first }), problem))
     }

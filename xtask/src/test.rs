@@ -42,8 +42,20 @@ fn rust() -> Result {
     run_command(&mut cargo)
 }
 
-/// Types and units of the page.
+/// Types and units of the page, and nothing said twice anywhere.
 fn web() -> Result {
+    say("looking for what is there twice");
+    run_command(page::tool("jscpd/bin/jscpd").args([
+        "--config",
+        ".jscpd.json",
+        "--exitCode",
+        "1",
+        "src",
+        "../src",
+        "../shaders",
+        "../benches",
+        "../xtask/src",
+    ]))?;
     say("checking the page's types");
     run_command(page::tool("typescript/bin/tsc").arg("--noEmit"))?;
     say("testing the page's modules");

@@ -257,27 +257,25 @@ impl Plan {
 }
 
 impl super::Plan for Plan {
+    fn prepare(
+        self,
+        from: Option<(Wire, usize)>,
+        _: &mut dyn FnMut(f32) -> bool,
+    ) -> Result<(Box<dyn super::Job>, Problem)> {
+        let (wire, iteration) = match from {
+            Some(from) => from,
+            None => (self.first_wire(&self.settings)?, 0),
+        };
+        let problem = self.problem(wire, iteration, &self.settings);
+        Ok((Box::new(Job { plan: self }), problem))
+    }
+
     fn settings(&self) -> &Settings {
         &self.settings
     }
 
     fn targets(&self) -> &[Target] {
         &self.targets
-    }
-
-    fn begin(self, _: &mut dyn FnMut(f32) -> bool) -> Result<(Box<dyn super::Job>, Problem)> {
-        let problem = self.problem(self.first_wire(&self.settings)?, 0, &self.settings);
-        Ok((Box::new(Job { plan: self }), problem))
-    }
-
-    fn go_on(
-        self,
-        wire: Wire,
-        iteration: usize,
-        _: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<(Box<dyn super::Job>, Problem)> {
-        let problem = self.problem(wire, iteration, &self.settings);
-        Ok((Box::new(Job { plan: self }), problem))
     }
 }
 

@@ -9,7 +9,7 @@ import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
-import { chosenFile, droppedPicture, isDropOver, problemOver } from "../shared/drop";
+import { chosenFile, Landing, problemOver } from "../shared/drop";
 import { controls } from "../shared/shared";
 
 export type EditorTab = "draw" | "type" | "icons" | "picture";
@@ -43,7 +43,7 @@ export class DrawingPad extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
   @property() slotName: Slot = "front";
-  @state() private over = false;
+  private readonly landing = new Landing(this, { isLocked: () => this.locked, give: (file) => this.give(file) });
   /** The problem somebody has read and closed. */
   @state() private readProblem = "";
   @query("input") private input!: HTMLInputElement;
@@ -284,12 +284,12 @@ export class DrawingPad extends Part {
     const name = titled(slotName);
     return html`
       <section
-        class="${this.over ? "over" : ""} ${busy ? "busy" : ""} ${locked ? "locked" : ""}"
+        class="${this.landing.over ? "over" : ""} ${busy ? "busy" : ""} ${locked ? "locked" : ""}"
         aria-label="${name} drawing"
         aria-busy=${busy}
-        @dragover=${this.dragOver}
-        @dragleave=${() => (this.over = false)}
-        @drop=${this.drop}
+        @dragover=${this.landing.dragOver}
+        @dragleave=${this.landing.dragLeave}
+        @drop=${this.landing.drop}
       >
         <div class="head">
           <h2>${name}</h2>
@@ -340,7 +340,7 @@ export class DrawingPad extends Part {
   }
 
   private invitation() {
-    const words = this.over
+    const words = this.landing.over
       ? "Drop it here"
       : html`<span class="long">Draw here, or drop a picture</span><span class="short">Draw</span>`;
     return html`<div class="invitation small">${icons.pencil}${words}</div>`;
@@ -411,17 +411,6 @@ export class DrawingPad extends Part {
 
   private chosen(event: Event): void {
     this.give(chosenFile(event));
-  }
-
-  private dragOver(event: DragEvent): void {
-    if (!this.locked && isDropOver(event)) this.over = true;
-  }
-
-  /** One file is meant for this pad; what comes with more is for the page to share out. */
-  private drop(event: DragEvent): void {
-    this.over = false;
-    const file = this.locked ? null : droppedPicture(event);
-    if (file) this.give(file);
   }
 
   private openMenu(): void {

@@ -1,6 +1,6 @@
 /** Files that a pad is given: chosen, or one picture dropped onto it; all else is for the page to see to. */
 
-import { css } from "lit";
+import { css, type ReactiveController, type ReactiveControllerHost } from "lit";
 
 /** The file that was chosen, if any; the same one may be chosen again. */
 export function chosenFile(event: Event): File | undefined {
@@ -10,21 +10,44 @@ export function chosenFile(event: Event): File | undefined {
   return file;
 }
 
-/** Whether something that can be dropped is held over a part that takes it; says so to the browser. */
-export function isDropOver(event: DragEvent): boolean {
-  if (!event.dataTransfer?.types.includes("Files")) return false;
-  event.preventDefault();
-  event.dataTransfer.dropEffect = "copy";
-  return true;
-}
+/** A pad onto which one picture may be dropped; what comes with more is for the page to share out. */
+export class Landing implements ReactiveController {
+  /** Whether something is held over it. */
+  over = false;
 
-/** The picture, if one was dropped and nothing with it; then nobody else gets it. */
-export function droppedPicture(event: DragEvent): File | null {
-  const files = event.dataTransfer?.files;
-  if (files?.length !== 1 || !files[0]!.type.startsWith("image/")) return null;
-  event.preventDefault();
-  event.stopPropagation();
-  return files[0]!;
+  constructor(
+    private readonly host: ReactiveControllerHost,
+    private readonly pad: { isLocked(): boolean; give(file: File): void },
+  ) {
+    host.addController(this);
+  }
+
+  /** Needed to be a controller. */
+  hostConnected(): void {}
+
+  readonly dragOver = (event: DragEvent): void => {
+    if (this.pad.isLocked() || !event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    event.dataTransfer.dropEffect = "copy";
+    this.show(true);
+  };
+
+  readonly dragLeave = (): void => this.show(false);
+
+  readonly drop = (event: DragEvent): void => {
+    this.show(false);
+    const files = event.dataTransfer?.files;
+    if (this.pad.isLocked() || files?.length !== 1 || !files[0]!.type.startsWith("image/")) return;
+    // Nobody else gets it.
+    event.preventDefault();
+    event.stopPropagation();
+    this.pad.give(files[0]!);
+  };
+
+  private show(over: boolean): void {
+    this.over = over;
+    this.host.requestUpdate();
+  }
 }
 
 /** What was wrong with the last picture, over the lower part of its pad, with a button to close it. */

@@ -6,7 +6,7 @@ import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
-import { chosenFile, droppedPicture, isDropOver, problemOver } from "../shared/drop";
+import { chosenFile, Landing, problemOver } from "../shared/drop";
 import { controls } from "../shared/shared";
 import { padStyle } from "./pad-style";
 import { tell } from "./subject-events";
@@ -28,7 +28,7 @@ export class SubjectPad extends Part {
   /** What else is worth saying, a sentence, or empty. */
   @property() note = "";
   @property({ type: Boolean }) locked = false;
-  @state() private over = false;
+  private readonly landing = new Landing(this, { isLocked: () => this.locked, give: (file) => this.give(file) });
   @state() private shooting = false;
   /** The problem somebody has read and closed. */
   @state() private readProblem = "";
@@ -48,12 +48,12 @@ export class SubjectPad extends Part {
     const { subject, busy, problem } = this;
     return html`
       <section
-        class="${this.over ? "over" : ""} ${busy ? "busy" : ""} ${subject || busy ? "" : "empty"}"
+        class="${this.landing.over ? "over" : ""} ${busy ? "busy" : ""} ${subject || busy ? "" : "empty"}"
         aria-label="Picture"
         aria-busy=${busy}
-        @dragover=${this.dragOver}
-        @dragleave=${() => (this.over = false)}
-        @drop=${this.drop}
+        @dragover=${this.landing.dragOver}
+        @dragleave=${this.landing.dragLeave}
+        @drop=${this.landing.drop}
         @paste=${this.paste}
       >
         <div class="head">
@@ -64,7 +64,7 @@ export class SubjectPad extends Part {
           <div class="sheet">
             <subject-canvas .subject=${subject} name=${this.described()} @tap=${this.tapped}></subject-canvas>
             ${subject || busy ? nothing : this.invitation()}
-            ${this.over ? html`<div class="landing">Drop it here</div>` : nothing}
+            ${this.landing.over ? html`<div class="landing">Drop it here</div>` : nothing}
             ${problem && problem !== this.readProblem
               ? html`<p class="problem small" role="alert">
                   <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
@@ -210,16 +210,5 @@ export class SubjectPad extends Part {
     event.preventDefault();
     event.stopPropagation();
     this.give(file);
-  }
-
-  private dragOver(event: DragEvent): void {
-    if (!this.locked && isDropOver(event)) this.over = true;
-  }
-
-  /** One picture is meant for this pad; all else is for the page to see to. */
-  private drop(event: DragEvent): void {
-    this.over = false;
-    const file = this.locked ? null : droppedPicture(event);
-    if (file) this.give(file);
   }
 }
