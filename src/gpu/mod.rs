@@ -4,6 +4,7 @@
 //! Forward sums are integers and backward sums are gathered in fixed order, so a device gives the same bits each time.
 
 mod absence;
+mod banded;
 #[cfg(target_arch = "wasm32")]
 mod browser;
 mod buffers;

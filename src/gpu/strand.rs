@@ -1,7 +1,7 @@
 //! The wire as a thing that bends and takes room on a device: its nodes, and who may come too near whom.
 
+use super::banded::Map;
 use super::layout::Node;
-use super::upload::Map;
 use crate::objective::{MOST_NEIGHBOURS, Neighbours};
 use crate::optimize::Scene;
 

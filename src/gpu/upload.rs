@@ -1,8 +1,9 @@
 //! From a scene to the bytes of the buffers that stay the same until the next one.
 
+use super::banded::Map;
 use super::device::Device;
 use super::fault::{Answer, Fault, FaultKind};
-use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, Row, Term, View};
+use super::layout::{self, Level, MOST_LEVELS, MOST_VIEWS, RINGS, View};
 use super::stage::{NODES, outline_groups};
 use super::strand::StrandUpload;
 use super::texture::TextureUpload;
@@ -10,7 +11,7 @@ use crate::objective::{Pyramid, STANDSTILL, level_sizes};
 use crate::optimize::{Scene, SceneView, Step};
 use crate::raster::{CELL_PX, rings};
 use crate::view::Occluder;
-use crate::wire::{LinearMap, Stroke};
+use crate::wire::Stroke;
 
 /// No such sample.
 const NONE: u32 = u32::MAX;
@@ -43,32 +44,6 @@ pub(super) struct Upload {
     pub rows: usize,
     /// The most levels of any view that take a pass each.
     pub depth: usize,
-}
-
-/// A banded map and its transpose, the latter as a list of entries a column.
-pub(super) struct Map {
-    pub rows: Vec<Row>,
-    pub starts: Vec<u32>,
-    pub terms: Vec<Term>,
-}
-
-impl Map {
-    pub fn new(map: &LinearMap<f32>) -> Map {
-        let columns = map.columns();
-        let mut lists = vec![Vec::new(); columns];
-        for (i, row) in map.rows().iter().enumerate() {
-            for (k, &weight) in row.weights.iter().enumerate() {
-                lists[(row.first as usize + k) % columns].push(Term { row: i as u32, weight });
-            }
-        }
-        let mut starts = vec![0];
-        starts.extend(lists.iter().scan(0, |end, list| {
-            *end += list.len() as u32;
-            Some(*end)
-        }));
-        let rows = map.rows().iter().map(|row| Row { first: row.first, weights: row.weights }).collect();
-        Map { rows, starts, terms: lists.concat() }
-    }
 }
 
 /// Previous and next sample of each; both itself where it is in no stroke.

@@ -10,6 +10,7 @@ mod patterns;
 mod read;
 mod reading;
 mod sheet;
+mod spread;
 mod strokes;
 #[cfg(feature = "cli")]
 mod write;

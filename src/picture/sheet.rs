@@ -1,6 +1,6 @@
 //! A sheet of paper that does not fill its picture: photographed on a desk, framed, or scanned with strips beside it.
 
-use super::ink::otsu;
+use super::spread::otsu;
 use super::{Ink, Mask};
 use crate::view::Image;
 

@@ -1,9 +1,8 @@
 //! The numbers of a glTF, in buffers that lie in the file: every offset is checked.
 
 use super::damaged;
-use super::gltf::unsupported;
 use super::scene::{Accessor, Scene};
-use crate::Result;
+use crate::{Error, Result};
 
 /// How many numbers make an element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,4 +173,8 @@ impl Component {
         };
         if self.normalized { (value / most).max(-1.0) } else { value }
     }
+}
+
+pub(super) fn unsupported(name: &str, what: &str) -> Error {
+    Error::input(name, format!("{what} is not supported"), "save it as a GLB without compression, all data inside")
 }

@@ -2,7 +2,7 @@
 //!
 //! Read here rather than by a crate: of the format's many things only shape is wanted, and every offset is checked.
 
-use super::accessor::{Numbers, Shape, Store};
+use super::accessor::{Numbers, Shape, Store, unsupported};
 use super::pose::{Instances, Pose};
 use super::scene::{Head, Node, Primitive, Scene, World};
 use super::soup::Kept;
@@ -41,10 +41,6 @@ pub(super) fn read_binary(name: &str, bytes: &[u8]) -> Result<Soup> {
 /// A glTF: JSON alone.
 pub(super) fn read_text(name: &str, text: &[u8]) -> Result<Soup> {
     read(name, text, None)
-}
-
-pub(super) fn unsupported(name: &str, what: &str) -> Error {
-    Error::input(name, format!("{what} is not supported"), "save it as a GLB without compression, all data inside")
 }
 
 /// Extensions that are read, and, by their beginnings, those that change how a shape looks but not the shape.

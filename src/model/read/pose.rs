@@ -1,9 +1,8 @@
 //! Where the corners of a glTF are before anything moves: pushed by morph targets, then by the joints of a skin or the
 //! place of a node.
 
-use super::accessor::{Numbers, Shape, Store};
+use super::accessor::{Numbers, Shape, Store, unsupported};
 use super::damaged;
-use super::gltf::unsupported;
 use super::scene::{Attributes, Node, Primitive, Skin, World, placement};
 use super::soup::{Kept, Soup};
 use crate::Result;

@@ -3,8 +3,8 @@
 use super::super::Picture;
 use super::super::colour::{distance, oklab};
 use super::super::cutout::CutOut;
-use super::super::ink::{otsu, quantile};
 use super::super::sheet::{is_rim, sheet};
+use super::super::spread::{otsu, quantile};
 use crate::picture::{Ink, Mask};
 use crate::view::Image;
 use crate::{Error, Result};

@@ -2,7 +2,7 @@
 
 use super::super::Mask;
 use super::super::colour::distance;
-use super::super::ink::quantile;
+use super::super::spread::quantile;
 use super::ground::{Ground, Pixels};
 use super::parts::filled;
 use crate::picture::Ink;
