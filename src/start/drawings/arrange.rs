@@ -2,7 +2,7 @@
 //! possible.
 
 use super::boxfit::{BoxFit, fit_box};
-use super::placing::{Cutout, Orientation};
+use super::orientation::{Cutout, Orientation};
 use crate::error::{Error, Result};
 use crate::view::{Image, Target, View};
 

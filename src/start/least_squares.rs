@@ -2,7 +2,7 @@
 
 use super::Path;
 use super::banded::Banded;
-use super::fit::{length, resampled};
+use super::path::{length, resampled};
 use crate::error::{Error, Result};
 use crate::wire::{MAX_CONTROL_POINTS, Wire};
 

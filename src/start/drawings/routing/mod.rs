@@ -7,12 +7,12 @@ mod prune;
 mod shorten;
 mod taut;
 
-use super::Path;
-use super::fit::{length, resampled};
 use super::grid::Grid;
 use super::pairing::{Graph, Pairing};
 use super::trail::smooth_ring;
 use super::tree::Tree;
+use crate::start::Path;
+use crate::start::path::{length, resampled};
 use joins::Prices;
 use prune::Cover;
 use std::collections::HashSet;
@@ -138,8 +138,8 @@ fn closed_walk(grid: &Grid, edges: &[[u32; 2]], joins: &[[u32; 2]], hairpin: f64
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::start::drawings::tree::{TreeOptions, grow_tree};
     use crate::start::testing::{letters, picture, targets};
-    use crate::start::tree::{TreeOptions, grow_tree};
     use crate::view::Target;
 
     fn grown(targets: &[Target], progress: &mut dyn FnMut(f32) -> bool) -> (Grid, Tree) {

@@ -1,7 +1,7 @@
 //! Bending drawings before the start so that their hulls agree: a smooth displacement field per view, all together, that
 //! moves ink to where some point of space lies on ink in every view. Straight strokes are kept straight.
 
-use super::field::Lattice;
+use super::displacement::Lattice;
 use super::shared::are_canonical;
 use crate::error::Result;
 use crate::view::{Image, Target};

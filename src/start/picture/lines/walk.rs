@@ -4,7 +4,7 @@
 use super::circuit::circuit;
 use super::{Lines, around};
 use crate::picture::Mask;
-use crate::start::trail::smooth;
+use crate::start::drawings::trail::smooth;
 use crate::start::{Path, Solid};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

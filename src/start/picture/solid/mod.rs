@@ -2,13 +2,13 @@
 
 mod shown;
 
-use super::Path;
-use super::ball::spread_points;
 use super::envelope::{FAR, lower_envelope};
-use super::tour::short_tour;
 use crate::error::{Error, Result};
 use crate::picture::{Ink, Mask};
 use crate::rng::Rng;
+use crate::start::Path;
+use crate::start::ball::spread_points;
+use crate::start::tour::short_tour;
 use crate::view::{Image, View};
 
 /// How thick a silhouette becomes.

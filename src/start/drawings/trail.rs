@@ -2,11 +2,11 @@
 //! two strands), except one path from end to end; at forks the trail goes on as straight as it can. A shorter trail
 //! takes shortcuts instead of walking back.
 
-use super::Path;
 use super::grid::{Grid, OFF_PICTURE};
 use super::pairing::{Graph, Pairing};
 use super::shortcuts::take_shortcuts;
 use super::tree::Tree;
+use crate::start::Path;
 use std::collections::HashSet;
 
 /// How the tree becomes a path.

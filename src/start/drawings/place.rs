@@ -1,7 +1,7 @@
 //! Drawings in views of any direction: upright, as given, each as large as the common frame allows.
 
 use super::arrange::{Arrangement, Cutouts, Drawing, FILLED, Placement};
-use super::placing::Orientation;
+use super::orientation::Orientation;
 use crate::error::{Error, Result};
 use crate::view::{Target, View, ViewSpec};
 

@@ -1,12 +1,12 @@
 //! The visual hull of the drawings: what any object could show, and a simple start through it.
 
-use super::Path;
 use super::grid::{Grid, OFF_PICTURE};
 use super::plane::Plane;
 use super::shared::{MOST_ACROSS, are_canonical, shown_together};
-use super::tour::short_tour;
 use crate::error::{Error, Result};
 use crate::picture::Mask;
+use crate::start::Path;
+use crate::start::tour::short_tour;
 use crate::view::{Image, Target};
 
 /// How much of one view's ink any object could show.

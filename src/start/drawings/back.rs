@@ -28,8 +28,8 @@ impl Placement {
 mod tests {
     use super::*;
     use crate::rng::Rng;
-    use crate::start::arrange::{Cutouts, Drawing};
-    use crate::start::placing::Orientation;
+    use crate::start::drawings::arrange::{Cutouts, Drawing};
+    use crate::start::drawings::orientation::Orientation;
     use crate::view::Image;
 
     /// Some strokes on oblong paper, without any symmetry.
