@@ -40,6 +40,11 @@ pub mod tasks;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
+/// What the README shows compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 #[cfg(test)]
 #[path = "core/few_cases.rs"]
 mod few_cases;
