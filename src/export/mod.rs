@@ -6,6 +6,7 @@ mod glb;
 mod lines;
 mod mesh;
 mod obj;
+mod seen;
 mod share;
 mod stl;
 mod svg;

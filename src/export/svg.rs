@@ -5,6 +5,7 @@
 //! whole numbers of a tenth of a pixel, each relative to the last, which keeps the file small. Strands that go behind the
 //! solid which the wire covers taper off to nothing ([`Occluder`]).
 
+use super::seen::{Place as Disc, Seen, thinned};
 use crate::sculpture::strands;
 use crate::view::{Occluder, View};
 use crate::wire::Wire;
@@ -33,15 +34,13 @@ const SAMPLES_PER_SPAN: usize = 32;
 const UNITS_PER_PX: f64 = 10.0;
 /// An outline follows a bend only while the curve's radius is this many times the wire's.
 const BEND_RADII: f64 = 1.25;
-/// No disc is left out for longer than this, which bounds the work of thinning.
-const MAX_SKIP: usize = 64;
 /// Thinner than this shows nowhere.
 const INVISIBLE_RADIUS_PX: f64 = 0.005;
 
 /// The text of the file; its `viewBox` is the view's picture in px, y down, ink black. What `occluder` hides is left out; it
 /// may be finer or coarser than the view's picture.
 pub fn svg(wire: &Wire, view: &View, occluder: Option<&Occluder>, options: &SvgOptions) -> String {
-    let camera = view.camera::<f64>();
+    let seen = Seen::new(view, occluder);
     let (width, height) = (view.width_px, view.height_px);
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n"
@@ -52,27 +51,22 @@ pub fn svg(wire: &Wire, view: &View, occluder: Option<&Occluder>, options: &SvgO
     }
     let mut path = Path::default();
     for strand in strands(wire, SAMPLES_PER_SPAN) {
-        let project = |p: &[f64; 4]| {
-            let [x, y, radius] = camera.project(p);
-            let visibility = occluder.map_or(1.0, |occluder| {
-                let across = occluder.depth.width as f64 / width as f64;
-                let down = occluder.depth.height as f64 / height as f64;
-                occluder.visibility([x * across, y * down], camera.depth(p))
-            });
-            Disc { centre: DVec2::new(x, y), radius: radius * visibility }
+        let project = |point: &[f64; 4]| {
+            let place = seen.place(point);
+            Disc { radius: place.radius * place.visibility, ..place }
         };
         let mut discs: Vec<Disc> = strand.points.iter().map(project).collect();
         if strand.closed {
             discs.extend(discs.first().copied());
         }
         let reach = |disc: &Disc| {
-            let beyond = (-disc.centre).max(disc.centre - DVec2::new(width as f64, height as f64)).max_element();
+            let beyond = (-disc.at).max(disc.at - DVec2::new(width as f64, height as f64)).max_element();
             beyond < disc.radius + FAR_PX && disc.radius > INVISIBLE_RADIUS_PX
         };
         // What is far outside or too thin to see parts the strand.
         for visible in discs.split(|disc| !reach(disc)) {
             for piece in pieces(visible) {
-                path.outline(&thinned(piece, options.tolerance_px), options.tolerance_px);
+                path.outline(&thinned(piece, options.tolerance_px, off_the_cone), options.tolerance_px);
             }
         }
     }
@@ -83,19 +77,13 @@ pub fn svg(wire: &Wire, view: &View, occluder: Option<&Occluder>, options: &SvgO
 /// Discs farther outside the picture than this are left out.
 const FAR_PX: f64 = 64.0;
 
-#[derive(Debug, Clone, Copy)]
-struct Disc {
-    centre: DVec2,
-    radius: f64,
-}
-
 /// Runs that share their end discs, each of which bends gently enough to be outlined in one.
 fn pieces(discs: &[Disc]) -> Vec<&[Disc]> {
     let mut pieces = Vec::new();
     let mut first = 0;
     for i in 1..discs.len().saturating_sub(1) {
         let [a, b, c] = [discs[i - 1], discs[i], discs[i + 1]];
-        let (before, after) = (b.centre - a.centre, c.centre - b.centre);
+        let (before, after) = (b.at - a.at, c.at - b.at);
         let turn = before.angle_to(after).abs();
         let steep = |d: DVec2, change: f64| change.abs() > 0.7 * d.length();
         let stuck = steep(before, b.radius - a.radius) || steep(after, c.radius - b.radius);
@@ -112,27 +100,9 @@ fn pieces(discs: &[Disc]) -> Vec<&[Disc]> {
     pieces
 }
 
-/// Leaves out discs that the cone between their neighbours stands for, and equal ones.
-fn thinned(discs: &[Disc], tolerance_px: f64) -> Vec<Disc> {
-    let mut kept = vec![discs[0]];
-    let mut from = 0;
-    for to in 2..=discs.len() {
-        let fits = to < discs.len() && to - from <= MAX_SKIP && {
-            let (a, b) = (discs[from], discs[to]);
-            let along = b.centre - a.centre;
-            let squared = along.length_squared().max(1e-12);
-            discs[from + 1..to].iter().all(|disc| {
-                let s = ((disc.centre - a.centre).dot(along) / squared).clamp(0.0, 1.0);
-                let off = (a.centre + along * s).distance(disc.centre);
-                off + (a.radius + (b.radius - a.radius) * s - disc.radius).abs() <= tolerance_px
-            })
-        };
-        if !fits {
-            kept.push(discs[to - 1]);
-            from = to - 1;
-        }
-    }
-    kept
+/// How far a disc's radius is off the cone's between its neighbours.
+fn off_the_cone(a: &Disc, b: &Disc, disc: &Disc, share: f64) -> f64 {
+    (a.radius + (b.radius - a.radius) * share - disc.radius).abs()
 }
 
 /// Path data under construction.
@@ -149,15 +119,14 @@ impl Path {
         let (Some(&start), Some(&end)) = (discs.first(), discs.last()) else { return };
         let mut tangents = Vec::with_capacity(discs.len());
         for i in 0..discs.len() {
-            let before =
-                i.checked_sub(1).map_or(DVec2::ZERO, |k| (discs[i].centre - discs[k].centre).normalize_or_zero());
-            let after = discs.get(i + 1).map_or(DVec2::ZERO, |n| (n.centre - discs[i].centre).normalize_or_zero());
+            let before = i.checked_sub(1).map_or(DVec2::ZERO, |k| (discs[i].at - discs[k].at).normalize_or_zero());
+            let after = discs.get(i + 1).map_or(DVec2::ZERO, |n| (n.at - discs[i].at).normalize_or_zero());
             tangents.push((before + after).try_normalize().unwrap_or(DVec2::X));
         }
         // A cone's outline touches its discs not square to the axis but tilted by the sine of its slope.
         let slope = |i: usize| {
             let (a, b) = (discs[i.saturating_sub(1)], discs[(i + 1).min(discs.len() - 1)]);
-            let length = a.centre.distance(b.centre);
+            let length = a.at.distance(b.at);
             if length > 0.0 { ((b.radius - a.radius) / length).clamp(-0.999, 0.999) } else { 0.0 }
         };
         let contact = |i: usize, side: f64| {
@@ -167,9 +136,9 @@ impl Path {
         let last = discs.len() - 1;
         let mut points: Vec<DVec2> = Vec::new();
         // y points down, so `perp` is clockwise on the screen: out on one side, back on the other.
-        points.extend((0..=last).map(|i| discs[i].centre + contact(i, -1.0) * discs[i].radius));
+        points.extend((0..=last).map(|i| discs[i].at + contact(i, -1.0) * discs[i].radius));
         arc(&mut points, end, contact(last, -1.0), contact(last, 1.0), tolerance_px);
-        points.extend((0..=last).rev().map(|i| discs[i].centre + contact(i, 1.0) * discs[i].radius));
+        points.extend((0..=last).rev().map(|i| discs[i].at + contact(i, 1.0) * discs[i].radius));
         arc(&mut points, start, contact(0, 1.0), contact(0, -1.0), tolerance_px);
         self.polygon(&points);
     }
@@ -211,6 +180,6 @@ fn arc(points: &mut Vec<DVec2>, disc: Disc, from: DVec2, to: DVec2, tolerance_px
     let count = (turn / step).ceil().clamp(1.0, 256.0) as usize;
     for k in 1..count {
         let direction = DVec2::from_angle(turn * k as f64 / count as f64).rotate(from);
-        points.push(disc.centre + direction * disc.radius);
+        points.push(disc.at + direction * disc.radius);
     }
 }
