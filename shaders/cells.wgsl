@@ -1,4 +1,4 @@
-// Which polygons may touch a square cell. Twin of src/raster/cells.rs; lists instead of a counting sort, as the order
+// Which polygons may touch a square cell. Twin of src/core/raster/cells.rs; lists instead of a counting sort, as the order
 // within a cell changes nothing.
 //
 // `cells` holds: how many entries were wanted; how many large polygons each view has; how many polygons round nodes it

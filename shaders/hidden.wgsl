@@ -1,4 +1,4 @@
-// Which part of an edge a polygon hides: exact intervals of its parameter. Twin of src/raster/hidden.rs.
+// Which part of an edge a polygon hides: exact intervals of its parameter. Twin of src/core/raster/hidden.rs.
 
 /// A straight stretch of a polygon's border, from `start` to `start + along`.
 struct Edge {

@@ -1,4 +1,4 @@
-// The jerk energy's gradient, added to the image's and the length's. Twin of src/wire/jerk.rs.
+// The jerk energy's gradient, added to the image's and the length's. Twin of src/core/wire/jerk.rs.
 
 /// Third derivative on a span times the root of its width.
 fn jerk_of_span(span: u32) -> vec4f {

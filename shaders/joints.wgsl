@@ -1,4 +1,4 @@
-// How two pieces meet at a node, decided for both sides at once. Twin of src/raster/joints.rs.
+// How two pieces meet at a node, decided for both sides at once. Twin of src/core/raster/joints.rs.
 
 /// The node before (0) or after (1) a node.
 fn joined(view: u32, k: u32, i: u32) -> u32 {

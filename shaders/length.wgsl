@@ -1,4 +1,4 @@
-// Length of the sampled polylines. Twin of src/objective/regularisers.rs.
+// Length of the sampled polylines. Twin of src/core/objective/regularisers.rs.
 
 const SHORTEST_STEP: f32 = 1e-12;
 

@@ -1,5 +1,5 @@
 // The visible outline: sides and drawn end lines of pieces, polygons of nodes, cut by the picture, by what hides them
-// and by the pixels. Twin of src/raster/outline.rs. Whoever uses this defines `visit`, what becomes of a sub-edge.
+// and by the pixels. Twin of src/core/raster/outline.rs. Whoever uses this defines `visit`, what becomes of a sub-edge.
 
 /// An edge to trace and how it moves.
 struct Moving {

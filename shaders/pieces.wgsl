@@ -1,4 +1,4 @@
-// Nodes and the straight pieces between them. Twin of src/raster/pieces.rs. A node is a usable vertex.
+// Nodes and the straight pieces between them. Twin of src/core/raster/pieces.rs. A node is a usable vertex.
 
 /// The straight stretch between two nodes: its axis and how it tapers.
 struct Piece {

@@ -1,4 +1,4 @@
-// Samples to pixels, and the adjoint of that. Twin of src/view/camera.rs.
+// Samples to pixels, and the adjoint of that. Twin of src/core/view/camera.rs.
 
 const NEAREST_DEPTH: f32 = 1e-3;
 

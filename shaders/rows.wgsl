@@ -1,4 +1,4 @@
-// Area sums to coverage: a running sum along each row, as a scan. Twin of src/raster/rows.rs.
+// Area sums to coverage: a running sum along each row, as a scan. Twin of src/core/raster/rows.rs.
 //
 // A pixel no outline runs through is wholly in or out, so the running sum r is rounded there. What a run of pixels
 // does to r is r + before, or, once it was rounded, whole(r + before) + after; as whole(whole(x) + y) is

@@ -1,4 +1,4 @@
-// Control points to samples and back. Twin of src/wire/linear_map.rs.
+// Control points to samples and back. Twin of src/core/wire/linear_map.rs.
 
 /// One thread a sample.
 @compute @workgroup_size(64)

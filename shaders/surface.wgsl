@@ -1,4 +1,4 @@
-// The pull to the planes that touch the surface. Twin of src/objective/surface.rs.
+// The pull to the planes that touch the surface. Twin of src/core/objective/surface.rs.
 
 /// Signed distance of a sample from its plane.
 fn off_plane(sample: u32) -> f32 {

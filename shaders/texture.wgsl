@@ -1,4 +1,4 @@
-// What the texture's stages share. Twin of src/objective/texture; a second index of a dispatch is a view's level.
+// What the texture's stages share. Twin of src/core/objective/texture; a second index of a dispatch is a view's level.
 
 const DIRECTIONS: u32 = 6u;
 const FEATURES: u32 = 7u;

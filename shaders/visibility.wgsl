@@ -1,4 +1,4 @@
-// How much of a strand a solid leaves to see. Twin of src/view/visibility.rs.
+// How much of a strand a solid leaves to see. Twin of src/core/view/visibility.rs.
 
 /// Where the sigmoid's argument is cut off.
 const STEEPEST: f32 = 80.0;

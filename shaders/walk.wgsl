@@ -1,4 +1,4 @@
-// Visible outline to pixels. Twin of src/raster/walk.rs.
+// Visible outline to pixels. Twin of src/core/raster/walk.rs.
 
 const FAR: f32 = 1e30;
 

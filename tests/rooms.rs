@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 /// Lowest first; rooms on one line may not use each other unless an earlier one is used by a later one.
 const ORDER: &[&str] = &[
     "error",
+    "parallel",
     "rng",
     "wire",
     "view",

@@ -28,6 +28,7 @@
 //! ```
 
 pub mod error;
+pub mod parallel;
 pub mod rng;
 
 pub mod mesh;

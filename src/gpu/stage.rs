@@ -283,7 +283,7 @@ pub const STAGES: &[Stage] = &[
     },
     Stage {
         name: "compare",
-        texts: &[LAYOUT, text!("mse")],
+        texts: &[LAYOUT, text!("multiscale_mse")],
         slots: &[
             Slot::Step,
             Slot::Scene,
@@ -298,13 +298,13 @@ pub const STAGES: &[Stage] = &[
     },
     Stage {
         name: "compare_coarse",
-        texts: &[LAYOUT, text!("mse")],
+        texts: &[LAYOUT, text!("multiscale_mse")],
         slots: &[Slot::Step, Slot::Scene, Slot::Levels, Slot::Pyramid, Slot::Partials],
         over: Over::Views,
     },
     Stage {
         name: "compare_vjp",
-        texts: &[LAYOUT, text!("mse")],
+        texts: &[LAYOUT, text!("multiscale_mse")],
         slots: &[Slot::Step, Slot::Scene, Slot::Pass, Slot::Levels, Slot::Pyramid],
         over: Over::Levels { finest_first: false },
     },

@@ -2,7 +2,6 @@
 //! all made from it, so they cannot drift apart.
 
 mod parsing;
-mod presets;
 mod schema;
 mod table;
 mod task;

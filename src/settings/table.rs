@@ -44,7 +44,15 @@ const fn only(task: Task, choices: &'static [&'static str]) -> Of {
     Of { task, choices: Some(choices) }
 }
 
-const EVERY: &[Of] = &[any(Task::Multiview), any(Task::Stroke), any(Task::Fill)];
+const EVERY: &[Of] = &{
+    let mut every = [any(Task::ALL[0]); Task::ALL.len()];
+    let mut i = 1;
+    while i < every.len() {
+        every[i].task = Task::ALL[i];
+        i += 1;
+    }
+    every
+};
 const VIEWS: &[Of] = &[any(Task::Multiview)];
 const PICTURE: &[Of] = &[any(Task::Stroke)];
 const MESH: &[Of] = &[any(Task::Fill)];

@@ -197,3 +197,10 @@ pub(super) mod form_word {
         }
     }
 }
+
+impl Preset {
+    /// Whether its wire is kept smooth unless one says otherwise.
+    pub fn smooth(self) -> OnOff {
+        if self == Preset::Paper { OnOff::Off } else { OnOff::On }
+    }
+}

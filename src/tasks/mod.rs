@@ -1,15 +1,17 @@
-//! What a person can ask for, each a short recipe that composes the rooms below.
+//! What a person can ask for, a folder a task: what is given, what is decided before a fit ([`Plan`]), its settings. The
+//! rest is the same for all: a [`Run`] starts or resumes a plan, steps, saves, measures and reports.
 
 mod engine;
 pub mod fill;
-mod fit;
 pub mod multiview;
-pub mod preview;
-mod remedies;
+mod plan;
+mod recipe;
 mod run;
 mod saved;
+mod settings;
 pub mod stroke;
 mod widths;
 
 pub use engine::place;
-pub use run::{Job, Placed, Plan, Run};
+pub use plan::{Placed, Plan};
+pub use run::Run;

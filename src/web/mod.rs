@@ -44,7 +44,7 @@ fn task_of(word: &str) -> Result<Task> {
 /// Where a fit with this `backend` (a word of the setting) will be computed, and why, as JSON: `{backend, device, why}`.
 #[wasm_bindgen]
 pub async fn place(backend: String) -> Result<String, JsError> {
-    let settings = Settings::from_pairs([("backend", backend.as_str())])?;
+    let settings = Task::Multiview.settings([("backend", backend.as_str())])?;
     Ok(json(&crate::tasks::place(settings.backend).await?))
 }
 

@@ -3,7 +3,7 @@
 use super::pictures::{DrawingSet, Ink};
 use super::{json, parse_settings};
 use crate::settings::Task;
-use crate::tasks::preview;
+use crate::tasks::multiview::preview;
 use wasm_bindgen::prelude::*;
 
 /// What two or three drawings come to before a run.

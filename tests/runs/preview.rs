@@ -1,14 +1,14 @@
 //! Previews on real drawings: what they promise is what comes.
 use std::path::Path;
 use wire4d::picture::{Ink, read_picture};
-use wire4d::settings::{Bend, Settings};
+use wire4d::settings::{Bend, Settings, Task};
 use wire4d::start::Orientation;
+use wire4d::tasks::multiview::preview::{Preview, RemedyKind, SEEN_PX, preview};
 use wire4d::tasks::multiview::{Drawing, plan};
-use wire4d::tasks::preview::{Preview, RemedyKind, SEEN_PX, preview};
 use wire4d::view::Image;
 
 fn settings(arrange: &str) -> Settings {
-    Settings::from_pairs([("arrange", arrange)]).unwrap()
+    Task::Multiview.settings([("arrange", arrange)]).unwrap()
 }
 
 fn drawings(set: &str) -> Vec<Drawing> {

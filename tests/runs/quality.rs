@@ -95,7 +95,7 @@ fn fast_fits_are_as_good_as_they_were() {
 
 #[test]
 fn fast_wires_are_wires_and_still_recognised() {
-    let fast = Settings { bend: Bend::None, ..Settings::preset(Preset::Fast) };
+    let fast = Settings { bend: Bend::None, ..Task::Multiview.preset(Preset::Fast) };
     for (set, least) in [(PAIR, floors(0.76, 0.92, 0.95)), ("t10-thin-letters", floors(0.7, 0.85, 0.93))] {
         let bars = Figures { kinks: 3, tight_share: 0.006, penetrating_share: 0.02, ..least };
         let found = fit(set, &fast);

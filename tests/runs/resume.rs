@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::sync::LazyLock;
-use wire4d::settings::Settings;
+use wire4d::settings::{Settings, Task};
 use wire4d::tasks::Run;
 use wire4d::tasks::multiview::{Drawing, plan};
 use wire4d::{Error, Result};
@@ -32,7 +32,7 @@ fn drawings() -> Vec<Drawing> {
 
 fn settings(more: &[(&str, &str)]) -> Settings {
     let small = [("preset", "fast"), ("size", "64"), ("grid", "32"), ("iterations", "40")];
-    Settings::from_pairs(small.iter().chain(more).copied().collect::<Vec<_>>()).unwrap()
+    Task::Multiview.settings(small.iter().chain(more).copied().collect::<Vec<_>>()).unwrap()
 }
 
 fn started(settings: &Settings) -> Run {

@@ -4,7 +4,7 @@
 mod clearance;
 mod elastic;
 mod guidance;
-mod mmse;
+mod multiscale_mse;
 mod net;
 mod regularisers;
 mod straight;
@@ -15,7 +15,7 @@ mod warp;
 pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradient};
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
 pub use guidance::Guidance;
-pub use mmse::{MultiscaleMse, Pyramid, level_sizes};
+pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;
 pub use surface::surface_and_gradient;
 #[cfg(feature = "gpu")]

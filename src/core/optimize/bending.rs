@@ -1,8 +1,8 @@
 //! The joint warp: while the wire moves towards the targets, the targets bend a little towards the wire.
 
-use super::cpu::for_each_view;
 use super::{Adam, AdamOptions, Schedule, SecondMoment};
 use crate::objective::{Displacement, Warp, WarpWeights};
+use crate::parallel;
 use crate::view::Image;
 use crate::{Error, Result};
 
@@ -101,7 +101,7 @@ impl Bender {
                 d_bent: vec![0.0; ink.data.len()],
             })
             .collect();
-        for_each_view(&mut views, |view| view.warp.bend(&view.field.values, &mut view.bent));
+        parallel::each_mut(&mut views, 2, |_, view| view.warp.bend(&view.field.values, &mut view.bent));
         Bender { options, views }
     }
 
@@ -128,7 +128,7 @@ impl Bender {
         }
         let rate = self.options.rate_px.at(progress) as f32;
         let weights = self.options.weights;
-        for_each_view(&mut self.views, |view| {
+        parallel::each_mut(&mut self.views, 2, |_, view| {
             let BentView { warp, field, before, bent, d_bent, d_field } = view;
             d_field.fill([0.0; 2]);
             warp.bend_vjp(d_bent, d_field);

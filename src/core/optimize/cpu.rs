@@ -8,6 +8,7 @@ use crate::objective::{
     Guidance, MultiscaleMse, Neighbours, Pyramid, Texture, TextureLoss, clearance_and_gradient, elastic_and_gradient,
     length_and_gradient, surface_and_gradient,
 };
+use crate::parallel;
 use crate::raster::{BandRaster, ExactRaster, Raster};
 use crate::view::{Camera, Image, Occluder, drop_hidden};
 use crate::wire::{Jerk, LinearMap, Nodes, Stroke};
@@ -208,7 +209,7 @@ impl CpuEngine {
         let strokes = &*strokes;
         sampling.apply(points, &mut self.samples);
         let samples = &self.samples;
-        for_each_view(&mut self.views, |view| view.evaluate(samples, strokes, step));
+        parallel::each_mut(&mut self.views, 2, |_, view| view.evaluate(samples, strokes, step));
 
         self.d_samples.clear();
         self.d_samples.resize(samples.len(), [0.0; 4]);
@@ -332,15 +333,4 @@ impl Engine for CpuEngine {
         let why = self.why.clone().unwrap_or_else(|| "The processor does the work.".into());
         Place { backend: "cpu", device: "processor".into(), why }
     }
-}
-
-/// Runs `work` on each item: one task an item, one join.
-pub(super) fn for_each_view<T: Send>(items: &mut [T], work: impl Fn(&mut T) + Send + Sync) {
-    #[cfg(feature = "threads")]
-    if items.len() > 1 {
-        use rayon::prelude::*;
-        items.par_iter_mut().for_each(work);
-        return;
-    }
-    items.iter_mut().for_each(work);
 }

@@ -1,6 +1,7 @@
 //! The pull to a mesh: which planes stand in for it, and how often they are laid anew.
 
 use crate::mesh::{Hit, Nearest};
+use crate::parallel;
 use crate::{Error, Result};
 use std::sync::Arc;
 
@@ -44,13 +45,7 @@ impl Surface {
     /// A plane `[n, d]` for each sample.
     pub(super) fn planes(&self, samples: &[[f32; 4]]) -> Vec<[f32; 4]> {
         let plane = |sample: &[f32; 4]| self.plane([0, 1, 2].map(|c| f64::from(sample[c])));
-        #[cfg(feature = "threads")]
-        {
-            use rayon::prelude::*;
-            samples.par_iter().with_min_len(256).map(plane).collect()
-        }
-        #[cfg(not(feature = "threads"))]
-        samples.iter().map(plane).collect()
+        parallel::map(samples, 256, plane)
     }
 
     /// The plane through the nearest point across the way there. At edges and rims, where a triangle's own plane runs on

@@ -8,12 +8,12 @@ use super::pieces::{self, NONE, Node, Piece};
 use super::rows;
 use super::shapes::{Circles, Shapes};
 use super::walk::SubEdge;
+use crate::parallel;
 use crate::wire::Stroke;
 
 /// Nodes a chunk. Chunks are what threads share out; their number depends on the strokes alone.
 const CHUNK: usize = 128;
 /// Fewer chunks are not worth waking threads for.
-#[cfg(feature = "threads")]
 const LEAST_PARALLEL_CHUNKS: usize = 4;
 /// Nor are fewer pixels, or tasks of fewer rows.
 #[cfg(feature = "threads")]
@@ -104,7 +104,7 @@ impl ExactRaster {
             cells: &self.cells,
         };
         let trace = |chunk: usize, outline: &mut Outline| outline.trace(&scene, nodes_of(chunk, count));
-        for_each(&mut self.outlines[..chunks], trace);
+        parallel::each_mut(&mut self.outlines[..chunks], LEAST_PARALLEL_CHUNKS, trace);
         self.border.trace_left_border(&scene, &mut self.left);
         for outline in &self.outlines[..chunks] {
             rows::add(&outline.sub_edges, &mut self.sums);
@@ -150,7 +150,7 @@ impl Raster for ExactRaster {
         let chunks = self.chunks();
         let count = self.nodes.len();
         let pull_back = |chunk: usize, outline: &mut Outline| outline.pull_back(d_coverage, nodes_of(chunk, count));
-        for_each(&mut self.outlines[..chunks], pull_back);
+        parallel::each_mut(&mut self.outlines[..chunks], LEAST_PARALLEL_CHUNKS, pull_back);
         d_vertices.clear();
         d_vertices.resize(self.vertex_count, [0.0; 3]);
         let d_pieces = self.outlines[..chunks].iter().flat_map(|outline| &outline.d_pieces);
@@ -183,17 +183,6 @@ fn finish_rows(width: usize, sums: &mut [i32], left: &[i32], coverage: &mut [f32
         return;
     }
     sums.chunks_exact_mut(width).zip(coverage.chunks_exact_mut(width)).zip(left).for_each(finish);
-}
-
-/// Runs `task` on every item with its index; on several threads where that is worth their waking up.
-fn for_each<T: Send>(items: &mut [T], task: impl Fn(usize, &mut T) + Send + Sync) {
-    #[cfg(feature = "threads")]
-    if items.len() >= LEAST_PARALLEL_CHUNKS && rayon::current_num_threads() > 1 {
-        use rayon::prelude::*;
-        items.par_iter_mut().enumerate().for_each(|(i, item)| task(i, item));
-        return;
-    }
-    items.iter_mut().enumerate().for_each(|(i, item)| task(i, item));
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@
 use super::stitch::{NODES_A_SPACING, resampled};
 use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands, foot};
 use super::surface::Surface;
+use crate::parallel;
 use glam::DVec3;
 
 /// Samples of the surface for every square spacing.
@@ -92,7 +93,7 @@ fn moves(strands: &Strands, samples: &[Sample], spacing: f64) -> Vec<DVec3> {
     let count = strands.nodes.len();
     let grid = strands.grid(spacing);
     let mut pulls = vec![(DVec3::ZERO, 0.0); count];
-    for found in for_all(samples, |sample| pull(strands, &grid, sample, spacing)).into_iter().flatten() {
+    for found in parallel::map(samples, 1024, |sample| pull(strands, &grid, sample, spacing)).into_iter().flatten() {
         let Pull { segment, t, by } = found;
         for (node, share) in [(segment, 1.0 - t), (strands.next[segment as usize], t)] {
             let sum = &mut pulls[node as usize];
@@ -197,17 +198,6 @@ fn respaced(surface: &Surface, line: &[Node], step: f64) -> Strand {
         nodes.push(*node);
     }
     nodes
-}
-
-#[cfg(feature = "threads")]
-fn for_all<T: Send>(samples: &[Sample], of: impl Fn(&Sample) -> T + Sync + Send) -> Vec<T> {
-    use rayon::prelude::*;
-    samples.par_iter().with_min_len(1024).map(of).collect()
-}
-
-#[cfg(not(feature = "threads"))]
-fn for_all<T>(samples: &[Sample], of: impl Fn(&Sample) -> T) -> Vec<T> {
-    samples.iter().map(of).collect()
 }
 
 #[cfg(test)]

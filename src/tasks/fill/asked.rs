@@ -1,11 +1,13 @@
 //! What a view asks for: ink by density, style and how a place faces the eye; the texture's windows; what the surface hides.
 
-use super::{Plan, looks};
+use super::looks;
+use super::plan::Plan;
 use crate::mesh::Depths;
 use crate::objective::crop_weights;
 use crate::optimize::Seen;
+use crate::parallel;
 use crate::rng::Rng;
-use crate::settings::{Motif as Laid, Settings};
+use crate::settings::Motif as Laid;
 use crate::view::{Image, Occluder, Target, View};
 use glam::DVec3;
 
@@ -17,20 +19,20 @@ const CROPS: (usize, f64) = (6, 0.4);
 const FACING: f64 = 0.4;
 
 impl Plan {
-    pub(super) fn occluder(&self, depths: &Depths, settings: &Settings) -> Occluder {
+    pub(super) fn occluder(&self, depths: &Depths) -> Occluder {
         Occluder {
             depth: depths.widened(),
-            steepness: settings.visibility as f32,
-            bias_world: settings.visibility_bias as f32,
+            steepness: self.settings.visibility as f32,
+            bias_world: self.settings.visibility_bias as f32,
         }
     }
 
     /// What views should show, and the surface that hides what is behind it.
-    pub(super) fn seen(&self, views: Vec<View>, settings: &Settings) -> Seen {
-        let seen = in_parallel(&views, |view| {
+    pub(super) fn seen(&self, views: Vec<View>) -> Seen {
+        let seen = parallel::map(&views, 1, |view| {
             let depths = Depths::render(&self.mesh, view);
-            let ink = depths.shade(&self.mesh, |point, normal| self.wanted(&point, &normal, view, settings) as f32);
-            let occluder = self.occluder(&depths, settings);
+            let ink = depths.shade(&self.mesh, |point, normal| self.wanted(&point, &normal, view) as f32);
+            let occluder = self.occluder(&depths);
             (Target { view: view.clone(), ink }, occluder)
         });
         let (targets, occluders) = seen.into_iter().unzip();
@@ -38,7 +40,8 @@ impl Plan {
     }
 
     /// How much ink a place should have in `view`, 0 to 1.
-    fn wanted(&self, point: &[f64; 3], normal: &[f64; 3], view: &View, settings: &Settings) -> f64 {
+    fn wanted(&self, point: &[f64; 3], normal: &[f64; 3], view: &View) -> f64 {
+        let settings = &self.settings;
         let style = match &self.motif {
             Some(motif) if settings.motif != Laid::Off => {
                 let [least, most] = TONES;
@@ -51,8 +54,9 @@ impl Plan {
     }
 
     /// What iteration `iteration` looks at.
-    pub(super) fn looked_at(&self, iteration: usize, settings: &Settings) -> Seen {
-        let mut seen = self.seen(looks::drawn(iteration, settings), settings);
+    pub(super) fn looked_at(&self, iteration: usize) -> Seen {
+        let settings = &self.settings;
+        let mut seen = self.seen(looks::drawn(iteration, settings));
         if self.texture.is_some() {
             let (count, share) = CROPS;
             let side_px = (share * settings.size as f64) as usize;
@@ -71,15 +75,4 @@ impl Plan {
 fn facing(point: &[f64; 3], normal: &[f64; 3], view: &View) -> f64 {
     let there = DVec3::from(view.eye) - DVec3::from(*point);
     (there.normalize_or_zero().dot(DVec3::from(*normal)) / FACING).clamp(0.0, 1.0)
-}
-
-#[cfg(feature = "threads")]
-fn in_parallel<T: Send>(views: &[View], make: impl Fn(&View) -> T + Sync + Send) -> Vec<T> {
-    use rayon::prelude::*;
-    views.par_iter().map(make).collect()
-}
-
-#[cfg(not(feature = "threads"))]
-fn in_parallel<T>(views: &[View], make: impl Fn(&View) -> T) -> Vec<T> {
-    views.iter().map(make).collect()
 }

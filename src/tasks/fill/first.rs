@@ -1,6 +1,6 @@
 //! The first wire: of even width along the curve, with as few control points as stay close to it.
 
-use super::{Plan, world_per_px};
+use super::plan::{Plan, world_per_px};
 use crate::optimize::WidthBounds;
 use crate::settings::{Settings, Task, Width};
 use crate::start;
@@ -60,7 +60,8 @@ pub(super) fn width_note(settings: &Settings) -> Option<String> {
 
 impl Plan {
     /// A wire of even width along the curve.
-    pub(super) fn first_wire(&self, settings: &Settings) -> Result<Wire> {
+    pub(super) fn first_wire(&self) -> Result<Wire> {
+        let settings = &self.settings;
         let WidthBounds { min_world, max_world } = width_bounds(settings);
         let width = width_wanted(settings).clamp(min_world, max_world);
         let mut path = self.filling.path.clone();

@@ -1,6 +1,7 @@
 //! A style's picture as a texture: its statistics at the size at which views show it.
 
-use super::{Style, world_per_px};
+use super::given::Style;
+use super::plan::world_per_px;
 use crate::objective::{Texture, TextureOptions};
 use crate::settings::{Motif, Settings};
 use crate::view::Image;

@@ -6,6 +6,7 @@ use super::super::shortest::Shortest;
 use super::super::tree::Tree;
 use super::CircuitOptions;
 use super::matching::cheapest_pairs;
+use crate::parallel;
 use std::collections::HashMap;
 
 /// Other odd places each search looks for: the one a place is paired with is nearly always among the nearest few.
@@ -125,7 +126,7 @@ fn all_ways(grid: &Grid, odd: &[u32], prices: &Prices) -> Vec<Vec<Way>> {
             .map(|to| Way { to, cost: shortest.distance(odd[to]), voxels: shortest.path_back(odd[to]).collect() })
             .collect::<Vec<_>>()
     };
-    each(odd, || Shortest::new(grid.voxels()), ways)
+    parallel::map_with(odd, || Shortest::new(grid.voxels()), ways)
 }
 
 /// Pairs of places at least total cost.
@@ -183,21 +184,4 @@ fn closure(places: &[usize], ways: &[Vec<Way>]) -> Vec<i64> {
         }
     }
     costs
-}
-
-/// `make` of every item, in their order; each thread with a state of its own.
-#[cfg(feature = "threads")]
-fn each<T: Sync, S: Send, R: Send>(
-    items: &[T],
-    state: impl Fn() -> S + Sync + Send,
-    make: impl Fn(&mut S, &T) -> R + Sync + Send,
-) -> Vec<R> {
-    use rayon::prelude::*;
-    items.par_iter().map_init(state, make).collect()
-}
-
-#[cfg(not(feature = "threads"))]
-fn each<T, S, R>(items: &[T], state: impl Fn() -> S, make: impl Fn(&mut S, &T) -> R) -> Vec<R> {
-    let mut state = state();
-    items.iter().map(|item| make(&mut state, item)).collect()
 }

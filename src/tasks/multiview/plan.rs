@@ -1,56 +1,22 @@
-//! Two, three or more drawings to one wire that shows each from its own side.
-//!
-//! [`plan`] arranges the drawings and says what any object could show of them; [`Run::start`](super::Run::start) grows the first wire;
-//! [`Run::step`](super::Run::step) fits it; its `sculpture` and `report` give what came of it.
+//! What is decided before a fit: where each drawing goes, and what the wire grows from.
 
-use super::fit::recipe;
-use super::run::{Placed, Run};
-use super::widths::width_bounds;
+use super::given::{Drawing, named};
 use crate::metrics::{BentReport, ResultReport, length_over_lines, match_pictures};
 use crate::objective::Displacement;
-use crate::optimize::Problem;
-use crate::picture::{Ground, Ink, Picture, Reading};
+use crate::optimize::{Problem, Session};
+use crate::picture::Ink;
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
     self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement,
     TrailOptions, TreeOptions,
 };
-use crate::view::{Image, Target, ViewSpec};
+use crate::tasks::recipe::{WIDE, recipe};
+use crate::tasks::widths::width_bounds;
+use crate::tasks::{self, Placed};
+use crate::view::{Image, Target};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
-
-/// A drawing and, for views other than front, side and top, where it is seen from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Drawing {
-    /// File or pad name as the person knows it.
-    pub name: String,
-    /// Ink, 0 to 1, of any size and aspect.
-    pub ink: Image,
-    /// Where it is seen from; `None` takes the next of front, side, top.
-    pub seen_from: Option<ViewSpec>,
-}
-
-impl Drawing {
-    /// Finds the ink of a picture, dark or light as the settings say, and what was taken for its ground.
-    ///
-    /// # Errors
-    /// As [`Reading::of`].
-    pub fn new(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<(Drawing, Ground)> {
-        let reading = Reading { polarity: settings.ink.into(), threshold: 0.0 };
-        let (ink, ground) = reading.of_drawing(picture)?;
-        Ok((Drawing { name: picture.name().to_owned(), ink, seen_from }, ground))
-    }
-
-    /// From ink as bytes, 0 (ground) to 255 (ink), row by row from the top left.
-    ///
-    /// # Errors
-    /// As [`Image::from_bytes`].
-    pub fn from_ink(name: &str, width: usize, height: usize, bytes: &[u8]) -> Result<Drawing> {
-        let ink = Image::from_bytes(name, width, height, bytes)?;
-        Ok(Drawing { name: name.to_owned(), ink, seen_from: None })
-    }
-}
 
 /// Drawings in their views, before anything is fitted.
 #[derive(Debug, Clone)]
@@ -62,6 +28,8 @@ pub struct Plan {
     pub coverable: Vec<Coverable>,
     /// Names of the drawings as given.
     sources: Vec<String>,
+    /// How far each view's ink was moved before the fit.
+    moved_before: Vec<Displacement>,
     /// Whether the drawings were placed where they say instead of arranged.
     placed: bool,
 }
@@ -103,12 +71,8 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     thicken(&mut arrangement.targets, settings);
     let coverable = start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?;
     let sources = drawings.iter().map(|drawing| drawing.name.clone()).collect();
-    Ok(Plan { settings: settings.clone(), arrangement, coverable, sources, placed })
-}
-
-/// Drawings as the start knows them.
-pub(super) fn named(drawings: &[Drawing]) -> Vec<start::Drawing> {
-    drawings.iter().map(|drawing| start::Drawing { name: drawing.name.clone(), ink: drawing.ink.clone() }).collect()
+    let moved_before = vec![Displacement::default(); drawings.len()];
+    Ok(Plan { settings: settings.clone(), arrangement, coverable, sources, moved_before, placed })
 }
 
 /// Makes lines as wide as the settings ask.
@@ -171,16 +135,17 @@ impl Plan {
         self.coverable.iter().all(|view| view.share >= ENOUGH_SHARE)
     }
 
-    /// What the views should show once drawings that may bend freely have bent, and how far that moved their ink.
-    fn targets_to_fit(&self, progress: &mut dyn FnMut(f32) -> bool) -> Result<(Vec<Target>, Vec<Displacement>)> {
+    /// What the views should show once drawings that may bend freely have bent; notes how far that moved their ink.
+    fn targets_to_fit(&mut self, progress: &mut dyn FnMut(f32) -> bool) -> Result<Vec<Target>> {
         let targets = &self.arrangement.targets;
         if !self.bends_before() {
-            return Ok((targets.clone(), vec![Displacement::default(); targets.len()]));
+            return Ok(targets.clone());
         }
         let bent = start::bend(targets, &BendOptions::default(), progress)?;
         let moved = bent.mean_px.iter().zip(&bent.max_px);
         let moved = moved.map(|(&mean, &max)| Displacement { mean_px: mean.into(), max_px: max.into() });
-        Ok((bent.targets, moved.collect()))
+        self.moved_before = moved.collect();
+        Ok(bent.targets)
     }
 
     /// The fit of `wire` to `targets`.
@@ -210,7 +175,7 @@ impl Plan {
         let wire = match settings.control_points {
             // The points of the tour are the control points (the paper's choice).
             _ if settings.start == Start::Ball => Wire::open_uniform(path.points)?,
-            0 if settings.smooth == OnOff::On => start::wire_along(&path, super::fit::WIDE * settings.spacing * px)?,
+            0 if settings.smooth == OnOff::On => start::wire_along(&path, WIDE * settings.spacing * px)?,
             0 => {
                 let finest = start::length(&path) / MOST_FIRST_POINTS;
                 start::wire_along(&path, (settings.spacing * px).max(finest))?
@@ -261,7 +226,11 @@ const ENOUGH_SHARE: f32 = 0.98;
 /// Share of the start's progress that bending the drawings takes.
 const BENDING_SHARE: f32 = 0.4;
 
-impl super::Plan for Plan {
+impl tasks::Plan for Plan {
+    fn task(&self) -> Task {
+        Task::Multiview
+    }
+
     fn settings(&self) -> &Settings {
         &self.settings
     }
@@ -270,68 +239,46 @@ impl super::Plan for Plan {
         &self.arrangement.targets
     }
 
-    fn prepare(
-        self,
-        from: Option<(Wire, usize)>,
-        progress: &mut dyn FnMut(f32) -> bool,
-    ) -> Result<(Box<dyn super::Job>, Problem)> {
+    fn begin(&mut self, from: Option<(Wire, usize)>, progress: &mut dyn FnMut(f32) -> bool) -> Result<Problem> {
         // What a wire from before grew from does not count any more.
         let bending = match &from {
             Some(_) => 1.0,
             None if self.bends_before() => BENDING_SHARE,
             None => 0.0,
         };
-        let (targets, moved_before) = self.targets_to_fit(&mut |share| progress(bending * share))?;
+        let targets = self.targets_to_fit(&mut |share| progress(bending * share))?;
         let wire = match from {
             Some((wire, _)) => wire,
             None => self.first_wire(&targets, &mut |share| progress(bending + (1.0 - bending) * share))?,
         };
-        let problem = self.problem(wire, targets);
-        Ok((Box::new(Job { plan: self, moved_before }), problem))
-    }
-}
-
-/// The drawings' part in a run.
-struct Job {
-    plan: Plan,
-    /// How far each view's ink was moved before the fit.
-    moved_before: Vec<Displacement>,
-}
-
-impl super::Job for Job {
-    fn task(&self) -> Task {
-        Task::Multiview
-    }
-
-    fn targets(&self) -> &[Target] {
-        &self.plan.arrangement.targets
+        Ok(self.problem(wire, targets))
     }
 
     fn sources(&self) -> &[String] {
-        &self.plan.sources
+        &self.sources
     }
 
     fn placed(&self, view: usize) -> Placed {
-        self.plan.placed(view)
+        self.placed(view)
     }
 
-    fn bent(&self, run: &Run) -> Option<Vec<(Image, Displacement)>> {
+    fn bent(&self, session: &Session) -> Option<Vec<(Image, Displacement)>> {
         let added = |((picture, during), before): ((Image, Displacement), &Displacement)| {
             let Displacement { mean_px, max_px } = during;
             (picture, Displacement { mean_px: mean_px + before.mean_px, max_px: max_px + before.max_px })
         };
-        (run.settings().bend != Bend::None)
-            .then(|| run.session().bent_targets().into_iter().zip(&self.moved_before).map(added).collect())
+        (self.settings.bend != Bend::None)
+            .then(|| session.bent_targets().into_iter().zip(&self.moved_before).map(added).collect())
     }
 
     /// How much of each drawing could be shown, and, where drawings bend, what only the bent ones can be held against.
-    fn complete(&self, result: &mut ResultReport, made: &Sculpture, run: &Run) {
-        let Arrangement { targets, placements, .. } = &self.plan.arrangement;
-        for (view, (placement, coverable)) in result.views.iter_mut().zip(placements.iter().zip(&self.plan.coverable)) {
+    fn complete(&self, result: &mut ResultReport, made: &Sculpture, session: &Session) {
+        let Arrangement { targets, placements, .. } = &self.arrangement;
+        for (view, (placement, coverable)) in result.views.iter_mut().zip(placements.iter().zip(&self.coverable)) {
             view.stretch = placement.stretch;
             view.target_coverable = Some(f64::from(coverable.share));
         }
-        let Some(bent) = run.bent() else { return };
+        let Some(bent) = tasks::Plan::bent(self, session) else { return };
         for ((view, target), (picture, moved)) in result.views.iter_mut().zip(targets).zip(&bent) {
             let found =
                 match_pictures(picture, |width, height| render(&made.wire, &target.view.with_size(width, height)));

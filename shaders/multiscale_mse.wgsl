@@ -1,4 +1,4 @@
-// The multi-scale loss and its gradient, all views at once. Twin of src/objective/mmse.rs. The fine levels take a pass
+// The multi-scale loss and its gradient, all views at once. Twin of src/core/objective/multiscale_mse.rs. The fine levels take a pass
 // each, down and up; between the two a workgroup a view goes down and up the coarse ones, where threads are few anyway.
 
 const GROUP: u32 = 256u;

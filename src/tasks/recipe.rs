@@ -1,10 +1,9 @@
-//! What all tasks share: the settings' part that says how to fit, as a [`Recipe`], and what happened, for the report.
+//! The settings' part that says how to fit, as a [`Recipe`]: all tasks begin with it.
 
-use crate::metrics::EventReport;
 use crate::objective::Pyramid;
 use crate::optimize::{
-    AdamOptions, Bending, Event, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Respace, Schedule, SecondMoment,
-    Session, Smooth, Thin, TopologyEdit, TopologyEvent,
+    AdamOptions, Bending, Moment, NewPoint, RasterKind, Recipe, Refine, Reinit, Respace, Schedule, SecondMoment,
+    Smooth, Thin, TopologyEdit, TopologyEvent,
 };
 use crate::settings::{self, Bend, OnOff, Preset, Settings, Width};
 
@@ -144,15 +143,4 @@ fn topology(settings: &Settings) -> Vec<TopologyEvent> {
         events.push(at(2.0 / 3.0, TopologyEdit::Refine(Refine::default())));
     }
     events
-}
-
-/// What happened so far.
-pub(super) fn event_reports(session: &Session) -> Vec<EventReport> {
-    let word = |kind| serde_json::to_value(kind).ok().and_then(|kind| kind.as_str().map(str::to_owned));
-    let report = |event: &Event| EventReport {
-        iteration: event.iteration,
-        kind: word(event.kind).unwrap_or_default(),
-        count: event.count,
-    };
-    session.events().iter().map(report).collect()
 }

@@ -1,13 +1,14 @@
 //! What a person should know before a run: how well the drawings go together, what is missing, and what would help.
 
-use super::multiview::{Drawing, Plan, named, plan};
+use super::given::{Drawing, named};
+use super::plan::{Plan, plan};
 pub use super::remedies::{Remedy, RemedyKind};
 use super::remedies::{Trials, remedies};
-use super::run::Placed;
 use crate::Result;
 use crate::metrics::soft_iou;
 use crate::settings::{Bend, OnOff, Settings};
 use crate::start::{self, BendOptions, REPORT_ACROSS, coverable, mean_share};
+use crate::tasks::Placed;
 use crate::view::Image;
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
 //! What a person can do to drawings that do not go together: mirror one, turn one, let two change places.
 
-use super::multiview::{self, Plan, plan, thicken};
+use super::Drawing as Given;
+use super::plan::{Plan, plan, thicken};
 use crate::Result;
 use crate::settings::{OnOff, Settings, Turn};
 use crate::start::{Arrangement, Cutouts, Drawing, Orientation, REPORT_ACROSS, coverable, mean_share};
@@ -105,7 +106,7 @@ impl<'a> Trials<'a> {
 /// As [`plan`] and [`coverable`].
 pub(super) fn remedies(
     now: &Plan,
-    drawings: &[multiview::Drawing],
+    drawings: &[Given],
     trials: &mut Trials,
     settings: &Settings,
 ) -> Result<Vec<Remedy>> {

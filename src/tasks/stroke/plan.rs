@@ -1,0 +1,196 @@
+//! What is decided before a fit: the object, the solid behind it, and the lines that show it.
+
+use super::depth::nearness;
+use super::given::Given;
+use super::sides::{other_sides, side_views};
+use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
+use crate::picture::{Ink, OBJECT_PX, Object, find_object};
+use crate::settings::{Preset, Settings, Shading, Start, Task};
+use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
+use crate::tasks;
+use crate::tasks::recipe::{at_once, recipe};
+use crate::tasks::widths::width_bounds;
+use crate::view::{Image, Target, View};
+use crate::wire::Wire;
+use crate::{Error, Result};
+
+/// The object, its solid and what the wire should show, before anything is fitted.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    pub(super) settings: Settings,
+    /// The object as it was found, of the picture's own aspect.
+    pub object: Object,
+    /// The solid behind it.
+    pub solid: Solid,
+    /// What the report compares with: the front's ink, then the solid's silhouette from each side.
+    pub targets: Vec<Target>,
+    /// Names of the pictures as given: the front's, then the other sides'.
+    pub(super) sources: Vec<String>,
+    /// The object's lines.
+    pub(super) lines: Lines,
+    /// The first wire, once a fit has begun.
+    first: Option<Wire>,
+    notes: Vec<String>,
+}
+
+/// Margin round the object in its picture, as a share of the picture's side.
+const MARGIN: f64 = 0.08;
+/// Path between two control points where their number is given, px at 256: fewer points, sparser lines.
+const PATH_PER_POINT_PX: f64 = 12.0;
+/// Sparsest and densest lines tried for a given number of control points, px at 256.
+const HATCHES: [f64; 2] = [4.0, 96.0];
+
+/// Finds the object, its solid and the targets.
+///
+/// # Errors
+/// As [`find_object`] for each picture; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
+/// sides contradict each other.
+pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
+    Task::Stroke.check(settings)?;
+    let name = given.picture.name();
+    let object = find_object(&given.picture, given.mask.as_ref(), settings.object)?;
+    let mut notes = object.notes.clone();
+    let Some(part) = object.mask.threshold(0.5).bounding_box() else {
+        return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
+    };
+    let margin_px = MARGIN * OBJECT_PX as f64;
+    let laid = |image: &Image| image.letterboxed(part, OBJECT_PX, OBJECT_PX, margin_px, false);
+    let (mask, body, tone) = (laid(&object.mask), laid(&object.body), laid(&object.tone));
+
+    let options = SolidOptions { roundness: settings.roundness, most_depth: settings.most_depth };
+    let mut solid = Solid::inflated(name, &body, &options)?;
+    let height_px = body.threshold(0.5).bounding_box().map_or(OBJECT_PX, |part| part.height());
+    let others = other_sides(given, height_px, solid.height_world(), &mut notes)?;
+    if !others.is_empty() {
+        solid = solid.carved(&others)?;
+    }
+    if let Some(depth) = &given.depth {
+        solid = solid.with_depth(&laid(&nearness(depth, &given.picture, &object, &mut notes)?));
+    }
+    if settings.relief > 0.0 {
+        let lightness = Image { data: tone.data.iter().map(|tone| 1.0 - tone).collect(), ..tone };
+        solid = solid.with_relief(&lightness, settings.relief);
+    }
+
+    let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
+    let all_seen = body != mask;
+    let lines = lines(&Subject { mask, tone, saliency, highlight, all_seen }, &solid, settings);
+    let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
+    let ink = match settings.shading {
+        Shading::Lines => lines.ink(settings.size),
+        Shading::Grey => lines.grey(settings.size),
+    };
+    let mut targets = vec![Target { view: front, ink }];
+    let given_sides = others.into_iter().map(|(view, _)| view);
+    for view in given_sides.chain(side_views(0, settings)) {
+        let view = View::with_size(&view, settings.size, settings.size);
+        targets.push(Target { ink: solid.silhouette(&view), view });
+    }
+    let names = std::iter::once(&given.picture).chain(given.others.iter().map(|other| &other.0));
+    let sources = names.map(|picture| picture.name().to_owned()).collect();
+    Ok(Plan { settings: settings.clone(), object, solid, targets, sources, lines, first: None, notes })
+}
+
+/// The object's lines: as close as the settings say, or as close as the number of control points allows.
+fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
+    let draw = |spacing_px: f64| {
+        let options = LineOptions {
+            hatching: settings.hatching.into(),
+            spacing_px,
+            outline_px: settings.outline,
+            edges: settings.edges,
+            tone: settings.tone,
+            saliency: settings.saliency,
+            gloss: settings.gloss,
+            width_px: [settings.min_width, settings.max_width],
+        };
+        Lines::draw(subject, &options)
+    };
+    if settings.control_points == 0 || settings.start != Start::Contour {
+        return draw(settings.hatch);
+    }
+    let most = settings.control_points as f64 * PATH_PER_POINT_PX * solid.height_world() / 256.0;
+    let [mut dense, mut sparse] = HATCHES;
+    for _ in 0..5 {
+        let middle = (dense * sparse).sqrt();
+        if start::length(&draw(middle).walk(solid, 0.0)) > most { dense = middle } else { sparse = middle }
+    }
+    draw(sparse)
+}
+
+/// Weight of bending: the first wire lies along the lines already.
+const BENDING: f64 = 4.0;
+
+impl Plan {
+    /// What a person should know before the run, in plain words.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// World units in one pixel of a 256 px picture of the front.
+    pub(super) fn world_per_px_256(&self) -> f64 {
+        self.solid.height_world() / 256.0
+    }
+
+    /// The fit of `wire` from iteration `iteration` on; `first` is the first wire.
+    fn problem(&self, wire: Wire, first: &Wire, iteration: usize) -> Problem {
+        let settings = &self.settings;
+        let px = self.world_per_px_256();
+        let sides = &self.targets[1..];
+        let side_weight = settings.side_weight / sides.len().max(1) as f64;
+        let mut recipe = recipe(settings);
+        if let Some(smooth) = &mut recipe.smooth {
+            smooth.bending = Schedule::Constant(BENDING * settings.smoothness);
+            smooth.tightness = at_once(&smooth.tightness);
+            smooth.clearance = at_once(&smooth.clearance);
+        }
+        if settings.preset == Preset::Paper {
+            for event in &mut recipe.topology {
+                if let TopologyEdit::Refine(refine) = &mut event.edit {
+                    *refine = Refine { share: 5.0 / 6.0, ..refine.clone() };
+                }
+            }
+        }
+        Problem {
+            view_weights: std::iter::once(1.0).chain(sides.iter().map(|_| side_weight)).collect(),
+            width: width_bounds(&self.targets[..1], px, settings),
+            seed: settings.seed,
+            ..Problem::for_drawings(wire, self.fitted(first, iteration), recipe)
+        }
+    }
+}
+
+impl tasks::Plan for Plan {
+    fn task(&self) -> Task {
+        Task::Stroke
+    }
+
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.targets
+    }
+
+    fn begin(&mut self, from: Option<(Wire, usize)>, _: &mut dyn FnMut(f32) -> bool) -> Result<Problem> {
+        let first = self.first_wire()?;
+        let (wire, iteration) = from.unwrap_or_else(|| (first.clone(), 0));
+        let problem = self.problem(wire, &first, iteration);
+        self.first = Some(first);
+        Ok(problem)
+    }
+
+    fn sources(&self) -> &[String] {
+        &self.sources
+    }
+
+    fn change_views_every(&self) -> usize {
+        self.settings.new_sides
+    }
+
+    fn views_from(&self, iteration: usize) -> Seen {
+        let targets = self.first.as_ref().map_or_else(|| self.targets.clone(), |first| self.fitted(first, iteration));
+        Seen { targets, ..Seen::default() }
+    }
+}
