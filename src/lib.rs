@@ -18,7 +18,7 @@
 #[cfg(feature = "cli")]
 pub mod files;
 
-pub use wire4d_core::{Error, Result, error, mesh, objective, optimize, parallel, raster, rng, view, wire};
+pub use wire4d_core::{Error, Result, error, geometry, mesh, objective, optimize, parallel, raster, rng, view, wire};
 #[cfg(feature = "cli")]
 pub use wire4d_model as model;
 

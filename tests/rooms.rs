@@ -9,6 +9,7 @@ const ORDER: &[&str] = &[
     "rng",
     "wire",
     "view",
+    "geometry",
     "mesh",
     "raster",
     "objective",

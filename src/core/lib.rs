@@ -31,6 +31,7 @@ pub mod error;
 pub mod parallel;
 pub mod rng;
 
+pub mod geometry;
 pub mod mesh;
 pub mod objective;
 pub mod raster;

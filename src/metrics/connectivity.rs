@@ -1,6 +1,7 @@
 //! Which parts of a wire touch, and what it would take to join the rest.
 
 use super::pieces::{Piece, PieceTree};
+use crate::geometry::DisjointSets;
 
 /// Number of components of `parts` (polylines of `[x, y, z, width]`) after joining those whose tubes touch, and the weight
 /// of the minimum spanning tree that joins the components by the nearest points of their centre lines.
@@ -8,11 +9,11 @@ pub fn connectivity(parts: &[Vec<[f64; 4]>]) -> (usize, f64) {
     if parts.len() < 2 {
         return (parts.len(), 0.0);
     }
-    let mut groups = Groups::new(parts.len());
+    let mut groups = DisjointSets::new(parts.len());
     let mut tree = PieceTree::new(pieces(parts));
     join_touching(&mut tree, &mut groups);
-    let components = groups.count;
-    (components, join_nearest(&mut tree, &mut groups))
+    let components = groups.count();
+    (components, join_nearest(&mut tree, &mut groups, parts.len()))
 }
 
 fn pieces(parts: &[Vec<[f64; 4]>]) -> Vec<Piece> {
@@ -25,29 +26,29 @@ fn pieces(parts: &[Vec<[f64; 4]>]) -> Vec<Piece> {
     parts.iter().enumerate().flat_map(of_part).collect()
 }
 
-fn join_touching(tree: &mut PieceTree, groups: &mut Groups) {
-    let mut relabel_at = groups.count / 2;
+fn join_touching(tree: &mut PieceTree, groups: &mut DisjointSets) {
+    let mut relabel_at = groups.count() / 2;
     for i in 0..tree.pieces().len() {
         let piece = tree.pieces()[i];
         tree.for_each_touching(&piece, |other| {
             groups.join(piece.group, other);
         });
-        if groups.count == 1 {
+        if groups.count() == 1 {
             break;
         }
-        if groups.count <= relabel_at {
-            tree.relabel(|group| groups.find(group));
-            relabel_at = groups.count / 2;
+        if groups.count() <= relabel_at {
+            tree.relabel(|group| groups.root(group));
+            relabel_at = groups.count() / 2;
         }
     }
 }
 
 /// Borůvka's algorithm: every component finds its nearest neighbour, all those links are made, and so on.
-fn join_nearest(tree: &mut PieceTree, groups: &mut Groups) -> f64 {
+fn join_nearest(tree: &mut PieceTree, groups: &mut DisjointSets, parts: usize) -> f64 {
     let mut cost = 0.0;
-    while groups.count > 1 {
-        tree.relabel(|group| groups.find(group));
-        let mut links: Vec<Option<Link>> = vec![None; groups.parents.len()];
+    while groups.count() > 1 {
+        tree.relabel(|group| groups.root(group));
+        let mut links: Vec<Option<Link>> = vec![None; parts];
         for i in 0..tree.pieces().len() {
             let piece = tree.pieces()[i];
             let limit = links[piece.group].map_or(f64::INFINITY, |link| link.distance);
@@ -58,13 +59,13 @@ fn join_nearest(tree: &mut PieceTree, groups: &mut Groups) -> f64 {
         // By length, so that the tree does not depend on which component asked first; loops are refused.
         let mut links: Vec<Link> = links.into_iter().flatten().collect();
         links.sort_unstable_by(|a, b| a.distance.total_cmp(&b.distance).then(a.ends.cmp(&b.ends)));
-        let before = groups.count;
+        let before = groups.count();
         for Link { distance, ends: (a, b) } in links {
             if groups.join(a, b) {
                 cost += distance;
             }
         }
-        if groups.count == before {
+        if groups.count() == before {
             break;
         }
     }
@@ -75,36 +76,6 @@ fn join_nearest(tree: &mut PieceTree, groups: &mut Groups) -> f64 {
 struct Link {
     distance: f64,
     ends: (usize, usize),
-}
-
-/// Union-find.
-struct Groups {
-    parents: Vec<usize>,
-    count: usize,
-}
-
-impl Groups {
-    fn new(count: usize) -> Groups {
-        Groups { parents: (0..count).collect(), count }
-    }
-
-    fn find(&mut self, mut i: usize) -> usize {
-        while self.parents[i] != i {
-            self.parents[i] = self.parents[self.parents[i]];
-            i = self.parents[i];
-        }
-        i
-    }
-
-    /// Whether they were apart.
-    fn join(&mut self, a: usize, b: usize) -> bool {
-        let (a, b) = (self.find(a), self.find(b));
-        if a != b {
-            self.parents[a.max(b)] = a.min(b);
-            self.count -= 1;
-        }
-        a != b
-    }
 }
 
 #[cfg(test)]
@@ -158,7 +129,7 @@ mod tests {
                 })
                 .collect();
             let pieces = pieces(&parts);
-            let mut groups = Groups::new(parts.len());
+            let mut groups = DisjointSets::new(parts.len());
             let mut distances = vec![vec![f64::INFINITY; parts.len()]; parts.len()];
             for a in &pieces {
                 for b in &pieces {
@@ -170,14 +141,14 @@ mod tests {
                     *least = least.min(near.distance);
                 }
             }
-            let components = groups.count;
+            let components = groups.count();
             let mut expected = 0.0;
-            while groups.count > 1 {
-                let root = groups.find(0);
+            while groups.count() > 1 {
+                let root = groups.root(0);
                 let mut best = (f64::INFINITY, 0);
                 for a in 0..parts.len() {
                     for b in 0..parts.len() {
-                        if groups.find(a) == root && groups.find(b) != root && distances[a][b] < best.0 {
+                        if groups.root(a) == root && groups.root(b) != root && distances[a][b] < best.0 {
                             best = (distances[a][b], b);
                         }
                     }

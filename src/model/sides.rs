@@ -1,5 +1,7 @@
 //! How triangles hang together by their sides. Side k of a triangle runs from its corner k to the next.
 
+use wire4d_core::geometry::DisjointSets;
+
 /// No triangle on the other side.
 pub(super) const OPEN: u32 = u32::MAX;
 
@@ -139,14 +141,7 @@ pub(super) fn separate(
     keep: &[bool],
 ) -> (Vec<[f64; 3]>, usize) {
     // Corners of triangles in sets that share a place and are joined by sides.
-    let mut sets: Vec<u32> = (0..3 * triangles.len() as u32).collect();
-    fn root(sets: &mut [u32], mut i: u32) -> u32 {
-        while sets[i as usize] != i {
-            sets[i as usize] = sets[sets[i as usize] as usize];
-            i = sets[i as usize];
-        }
-        i
-    }
+    let mut sets = DisjointSets::new(3 * triangles.len());
     for (i, t) in triangles.iter().enumerate() {
         for k in 0..3 {
             let j = links[i][k] as usize;
@@ -155,17 +150,16 @@ pub(super) fn separate(
             }
             for at in [k, (k + 1) % 3] {
                 let Some(same) = triangles[j].iter().position(|&corner| corner == t[at]) else { continue };
-                let (a, b) = (root(&mut sets, (3 * i + at) as u32), root(&mut sets, (3 * j + same) as u32));
-                sets[a.max(b) as usize] = a.min(b);
+                sets.join(3 * i + at, 3 * j + same);
             }
         }
     }
-    let mut number = vec![u32::MAX; sets.len()];
+    let mut number = vec![u32::MAX; 3 * triangles.len()];
     let mut used = vec![false; positions.len()];
     let mut corners = Vec::new();
     for i in (0..triangles.len()).filter(|&i| keep[i]) {
         for k in 0..3 {
-            let set = root(&mut sets, (3 * i + k) as u32) as usize;
+            let set = sets.root(3 * i + k);
             if number[set] == u32::MAX {
                 number[set] = corners.len() as u32;
                 corners.push(positions[triangles[i][k] as usize]);

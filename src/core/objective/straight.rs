@@ -5,7 +5,7 @@
 //! stretching along the stroke are free. Corners, ends and tight curves run more than one way and are left alone.
 
 use super::net::cell;
-use crate::view::Image;
+use crate::view::{Image, StructureTensor};
 use crate::wire::Real;
 
 /// Larger side of the picture that is analysed.
@@ -42,28 +42,19 @@ impl<R: Real> Straightness<R> {
             let inside = |i: isize, n: usize| i.clamp(0, n as isize - 1) as usize;
             f64::from(ink.at(inside(x, width), inside(y, height)))
         };
-        let mut tensors: [Image; 3] = std::array::from_fn(|_| Image::new(width, height));
-        for y in 0..height {
-            for x in 0..width {
-                let (i, j) = (x as isize, y as isize);
-                let (gx, gy) = (0.5 * (at(i + 1, j) - at(i - 1, j)), 0.5 * (at(i, j + 1) - at(i, j - 1)));
-                for (tensor, value) in tensors.iter_mut().zip([gx * gx, gx * gy, gy * gy]) {
-                    tensor.data[y * width + x] = value as f32;
-                }
-            }
-        }
-        let tensors = tensors.map(|tensor| tensor.blurred(WINDOW_SIGMA_PX));
+        let tensor = StructureTensor::new([width, height], WINDOW_SIGMA_PX, |x, y| {
+            let (i, j) = (x as isize, y as isize);
+            [[0.5 * (at(i + 1, j) - at(i - 1, j)), 0.5 * (at(i, j + 1) - at(i, j - 1))]]
+        });
         let mut samples = Vec::new();
         let area_share = 1.0 / (width * height) as f64;
         for y in 0..height {
             for x in 0..width {
                 let amount = f64::from(ink.at(x, y));
-                let [xx, xy, yy] = [0, 1, 2].map(|k: usize| f64::from(tensors[k].at(x, y)));
-                let (trace, spread) = (xx + yy, (xx - yy).hypot(2.0 * xy));
+                let (trace, angle, coherence) = tensor.at(y * width + x);
                 if amount < 0.3 || trace < 1e-6 {
                     continue;
                 }
-                let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
                 let normal = [angle.cos(), angle.sin()];
                 let (first, second) = second_derivative(
                     [(x as f64 + 0.5) / width as f64, (y as f64 + 0.5) / height as f64],
@@ -76,7 +67,7 @@ impl<R: Real> Straightness<R> {
                     first,
                     normal: normal.map(R::from_f64),
                     second: second.map(|row| row.map(|b| R::from_f64(sagitta * b))),
-                    weight: R::from_f64(area_share * amount * (spread / trace).powi(4)),
+                    weight: R::from_f64(area_share * amount * coherence.powi(4)),
                 });
             }
         }

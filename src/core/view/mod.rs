@@ -4,12 +4,14 @@ mod camera;
 mod flatten;
 mod image;
 mod spec;
+mod structure;
 mod visibility;
 
 pub use camera::{Camera, Projection, View};
 pub use flatten::{Flattening, PROJECTION_TOLERANCE_PX, pieces_per_span, projection_error_bound_px};
 pub use image::{Image, MAX_PICTURE_PX, PixelBox};
 pub use spec::{MAX_VIEW_PX, ViewSpec, parse_placed_picture};
+pub use structure::StructureTensor;
 pub use visibility::{LEAST_VISIBILITY, Occluder, drop_hidden};
 
 /// A view and what it should show: the picture's ink as seen through that view.

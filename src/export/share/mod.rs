@@ -4,7 +4,6 @@
 //! those before, and what the guess missed is range coded with learned probabilities. A code is base64url of
 //! `[version][range-coded contents][CRC-32 of all before]`. Settings are not carried.
 
-mod base64;
 mod contents;
 mod pasted;
 mod range;
@@ -13,6 +12,8 @@ use crate::sculpture::{MadeWith, Sculpture};
 use crate::view::View;
 use crate::wire::Wire;
 use crate::{Error, Result};
+use base64::Engine as _;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use contents::{Contents, KnotCode};
 use range::{Decoder, Encoder};
 
@@ -43,7 +44,7 @@ pub fn share_code(sculpture: &Sculpture) -> String {
     let mut bytes = vec![VERSION];
     bytes.extend(encoder.finish());
     bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
-    base64::encode(&bytes)
+    URL_SAFE_NO_PAD.encode(&bytes)
 }
 
 /// The sculpture of a link or a share code in `text`, whatever e-mail, a chat or a document did to it.
@@ -92,7 +93,7 @@ fn body(code: &str) -> Option<Vec<u8>> {
     if code.len() > MAX_CODE_CHARACTERS {
         return None;
     }
-    let mut bytes = base64::decode(code)?;
+    let mut bytes = URL_SAFE_NO_PAD.decode(code).ok()?;
     let (body, checksum) = bytes.split_last_chunk::<4>()?;
     let whole = crc32fast::hash(body) == u32::from_le_bytes(*checksum);
     bytes.truncate(bytes.len() - 4);

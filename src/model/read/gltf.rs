@@ -8,6 +8,9 @@ use super::scene::{Head, Node, Primitive, Scene, World};
 use super::soup::Kept;
 use super::{Soup, check_count, damaged};
 use crate::{Error, Result};
+use base64::Engine as _;
+use base64::alphabet;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use glam::DMat4;
 
 /// A GLB: a header, a chunk of JSON, and a chunk of bytes.
@@ -198,27 +201,21 @@ fn placed<'a>(store: &Store<'a>, world: &World, meshes: &[Vec<Counted>]) -> Resu
     Ok(placed)
 }
 
-/// RFC 4648; white space is skipped.
+/// Bytes of base64 in either alphabet; white space, padding and left-over bits do not matter.
 fn base64(text: &str) -> Option<Vec<u8>> {
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
-    let (mut held, mut bits) = (0u32, 0);
-    for letter in text.trim_end_matches('=').bytes().filter(|letter| !letter.is_ascii_whitespace()) {
-        let value = match letter {
-            b'A'..=b'Z' => letter - b'A',
-            b'a'..=b'z' => letter - b'a' + 26,
-            b'0'..=b'9' => letter - b'0' + 52,
-            b'+' | b'-' => 62,
-            b'/' | b'_' => 63,
-            _ => return None,
-        };
-        held = held << 6 | u32::from(value);
-        bits += 6;
-        if bits >= 8 {
-            bits -= 8;
-            bytes.push((held >> bits) as u8);
-        }
-    }
-    Some(bytes)
+    const LENIENT: GeneralPurpose = GeneralPurpose::new(
+        &alphabet::STANDARD,
+        GeneralPurposeConfig::new()
+            .with_decode_padding_mode(DecodePaddingMode::Indifferent)
+            .with_decode_allow_trailing_bits(true),
+    );
+    let of_standard = |letter: u8| match letter {
+        b'-' => b'+',
+        b'_' => b'/',
+        _ => letter,
+    };
+    let letters = text.bytes().filter(|letter| !letter.is_ascii_whitespace()).map(of_standard);
+    LENIENT.decode(letters.collect::<Vec<u8>>()).ok()
 }
 
 #[cfg(test)]

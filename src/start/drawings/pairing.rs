@@ -2,6 +2,7 @@
 //! that leaves several trails they are joined where it bends them least.
 
 use super::grid::Grid;
+use crate::geometry::DisjointSets;
 use std::collections::HashMap;
 
 /// No vertex, edge or end.
@@ -165,20 +166,19 @@ impl Pairing {
 
     /// Joins closed trails to the others where that bends the trail least, until there is one.
     pub fn join_trails(&mut self, graph: &Graph) {
-        let mut sets = Sets((0..self.edges.len() as u32).collect());
+        let mut sets = DisjointSets::new(self.edges.len());
         for end in 0..self.partner.len() {
             if self.partner[end] != NONE {
-                sets.unite(end as u32 / 2, self.partner[end] / 2);
+                sets.join(end / 2, self.partner[end] as usize / 2);
             }
         }
-        let mut trails = (0..self.edges.len() as u32).filter(|&e| sets.find(e) == e).count();
-        while trails > 1 {
+        while sets.count() > 1 {
             let mut best: Option<(f64, u32, u32)> = None;
             for ends in self.at.iter().take(graph.voxels.len()).filter(|ends| ends.len() > 2) {
                 for (i, &a) in ends.iter().enumerate() {
                     // Both orders, for (a b)(a' b') and (a b')(a' b) are two ways of joining.
                     for &b in &ends[..i] {
-                        if sets.find(a / 2) != sets.find(b / 2) {
+                        if sets.root(a as usize / 2) != sets.root(b as usize / 2) {
                             let (pa, pb) = (self.partner[a as usize], self.partner[b as usize]);
                             let change = self.bend(a, b) + self.bend(pa, pb) - self.bend(a, pa) - self.bend(b, pb);
                             if best.is_none_or(|found| change < found.0) {
@@ -192,8 +192,7 @@ impl Pairing {
             let (pa, pb) = (self.partner[a as usize], self.partner[b as usize]);
             self.pair(a, b);
             self.pair(pa, pb);
-            sets.unite(a / 2, b / 2);
-            trails -= 1;
+            sets.join(a as usize / 2, b as usize / 2);
         }
     }
 
@@ -221,22 +220,5 @@ impl Pairing {
             }
         }
         trail
-    }
-}
-
-/// Union-find.
-struct Sets(Vec<u32>);
-
-impl Sets {
-    fn find(&mut self, mut i: u32) -> u32 {
-        while self.0[i as usize] != i {
-            self.0[i as usize] = self.0[self.0[i as usize] as usize];
-            i = self.0[i as usize];
-        }
-        i
-    }
-    fn unite(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.0[a.max(b) as usize] = a.min(b);
     }
 }

@@ -1,7 +1,8 @@
 //! The closed lines on which a function at the vertices of a surface is zero.
 
 use super::strand::{Node, Strand};
-use super::surface::{Classes, NONE, Surface};
+use super::surface::{NONE, Surface};
+use crate::geometry::DisjointSets;
 
 /// Lines between vertices where `values` are positive and where not. Every line is closed if no positive vertex lies on
 /// the rim; the others are left out.
@@ -79,7 +80,7 @@ fn ranges(surface: &Surface, values: &[f64]) -> Vec<(f64, f64)> {
 /// Turns the sign of regions in which no value goes beyond `least`: there lines would run closer than they should.
 pub fn without_slivers(surface: &Surface, values: &mut [f64], least: f64) {
     for sign in [1.0, -1.0] {
-        let mut regions = Classes::new(values.len());
+        let mut regions = DisjointSets::new(values.len());
         let is_in = |v: u32, values: &[f64]| (values[v as usize] > 0.0) == (sign > 0.0);
         for edge in &surface.edges {
             if edge.ends.iter().all(|&v| is_in(v, values)) {
@@ -88,11 +89,11 @@ pub fn without_slivers(surface: &Surface, values: &mut [f64], least: f64) {
         }
         let mut peaks = vec![0.0f64; values.len()];
         for v in 0..values.len() {
-            let region = regions.of(v);
+            let region = regions.root(v);
             peaks[region] = peaks[region].max(sign * values[v]);
         }
         for v in 0..values.len() as u32 {
-            if is_in(v, values) && peaks[regions.of(v as usize)] < least {
+            if is_in(v, values) && peaks[regions.root(v as usize)] < least {
                 values[v as usize] *= -0.1;
             }
         }

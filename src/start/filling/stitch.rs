@@ -2,7 +2,8 @@
 //! them, which leaves two hairpins that face each other. Two different lines so joined are always one line.
 
 use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands};
-use super::surface::{Classes, Surface};
+use super::surface::Surface;
+use crate::geometry::DisjointSets;
 
 /// How far a place for a join reaches for the other line, in spacings, at first and when nothing else is left.
 const REACH: [f64; 4] = [1.5, 1.5, 2.0, 3.0];
@@ -27,7 +28,7 @@ pub fn stitched(
         parts[surface.part(node.triangle) as usize].push(i as u32);
     }
     let mut work = Stitching { strands, parts, spacing, removed: vec![false; count], near_cut: vec![false; count] };
-    let mut classes = Classes::new(lines.len());
+    let mut classes = DisjointSets::new(lines.len());
     let mut joins: Vec<Node> = Vec::new();
     for (round, (reach, clearance)) in REACH.into_iter().zip(CLEARANCE).enumerate() {
         if !progress(round as f64 / REACH.len() as f64) {
@@ -40,7 +41,7 @@ pub fn stitched(
                 join.point.distance_squared(node.point) < (clearance * spacing).powi(2)
                     && join.normal.dot(node.normal) > SAME_SIDE
             };
-            if classes.of(a) == classes.of(b) || joins.iter().any(crowded) {
+            if classes.root(a) == classes.root(b) || joins.iter().any(crowded) {
                 continue;
             }
             if work.splice(nodes) {
@@ -71,9 +72,9 @@ struct Stitching {
 
 impl Stitching {
     /// Where nodes of different lines face each other, those most like two calm parallels first.
-    fn places(&self, classes: &mut Classes, reach: f64) -> Vec<[u32; 2]> {
+    fn places(&self, classes: &mut DisjointSets, reach: f64) -> Vec<[u32; 2]> {
         let strands = &self.strands;
-        let class_of: Vec<usize> = strands.strand_of.iter().map(|&name| classes.of(name as usize)).collect();
+        let class_of: Vec<usize> = strands.strand_of.iter().map(|&name| classes.root(name as usize)).collect();
         let bends: Vec<f64> = (0..strands.nodes.len()).map(|i| self.bend(i)).collect();
         let mut places: Vec<(f64, [u32; 2])> = Vec::new();
         let is_split = |part: &&Vec<u32>| part.iter().any(|&i| class_of[i as usize] != class_of[part[0] as usize]);

@@ -2,6 +2,7 @@
 
 use super::SPACINGS_WORLD;
 use crate::error::{Error, Result};
+use crate::geometry::{DisjointSets, nearest_on_triangle};
 use crate::mesh::Mesh;
 use glam::DVec3;
 
@@ -237,7 +238,7 @@ impl Surface {
 
     /// Gives every fan of triangles that hang together by edges a vertex of its own.
     fn cut(&mut self) {
-        let mut classes = Classes::new(3 * self.triangles.len());
+        let mut classes = DisjointSets::new(3 * self.triangles.len());
         for edge in self.edges.iter().filter(|edge| !edge.is_rim()) {
             for end in edge.ends {
                 let corner = |face: u32| {
@@ -251,7 +252,7 @@ impl Surface {
         let mut points = Vec::with_capacity(self.points.len());
         for t in 0..self.triangles.len() {
             for k in 0..3 {
-                let class = classes.of(3 * t + k);
+                let class = classes.root(3 * t + k);
                 if vertex_of[class] == NONE {
                     vertex_of[class] = points.len() as u32;
                     points.push(self.points[self.triangles[t][k] as usize]);
@@ -320,7 +321,7 @@ impl Surface {
     }
 
     fn find_parts(&mut self) {
-        let mut classes = Classes::new(self.points.len());
+        let mut classes = DisjointSets::new(self.points.len());
         for edge in &self.edges {
             classes.join(edge.ends[0] as usize, edge.ends[1] as usize);
         }
@@ -328,7 +329,7 @@ impl Surface {
         self.part_of = vec![0; self.points.len()];
         self.parts = 0;
         for v in 0..self.points.len() {
-            let class = classes.of(v);
+            let class = classes.root(v);
             if name_of[class] == NONE {
                 name_of[class] = self.parts as u32;
                 self.parts += 1;
@@ -359,66 +360,16 @@ fn too_fine(name: &str, longest: f64) -> Error {
     Error::setting("curve_spacing", "is too fine for this mesh", format!("use {works} or more"))
 }
 
-/// The nearest point of a triangle: its weights on the corners, and itself (by regions, Ericson 2005, 5.1.5).
+/// The nearest point of a triangle: its weights on the corners, and itself.
 pub fn nearest_in_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> ([f64; 3], DVec3) {
-    let (ab, ac, ap) = (b - a, c - a, p - a);
-    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
-    let (d3, d4) = (ab.dot(p - b), ac.dot(p - b));
-    let (d5, d6) = (ab.dot(p - c), ac.dot(p - c));
-    let (va, vb, vc) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
-    let share = |part: f64, whole: f64| if whole > 0.0 { (part / whole).clamp(0.0, 1.0) } else { 0.0 };
-    let weights = if d1 <= 0.0 && d2 <= 0.0 {
-        [1.0, 0.0, 0.0]
-    } else if d3 >= 0.0 && d4 <= d3 {
-        [0.0, 1.0, 0.0]
-    } else if d6 >= 0.0 && d5 <= d6 {
-        [0.0, 0.0, 1.0]
-    } else if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        let t = share(d1, d1 - d3);
-        [1.0 - t, t, 0.0]
-    } else if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        let t = share(d2, d2 - d6);
-        [1.0 - t, 0.0, t]
-    } else if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        let t = share(d4 - d3, (d4 - d3) + (d5 - d6));
-        [0.0, 1.0 - t, t]
-    } else {
-        let (v, w) = (share(vb, va + vb + vc), share(vc, va + vb + vc));
-        [1.0 - v - w, v, w]
-    };
-    (weights, weights[0] * a + weights[1] * b + weights[2] * c)
-}
-
-/// Union-find with halved paths.
-#[derive(Debug, Clone)]
-pub struct Classes(Vec<u32>);
-
-impl Classes {
-    pub fn new(count: usize) -> Self {
-        Classes((0..count as u32).collect())
-    }
-
-    pub fn of(&mut self, mut i: usize) -> usize {
-        while self.0[i] as usize != i {
-            self.0[i] = self.0[self.0[i] as usize];
-            i = self.0[i] as usize;
-        }
-        i
-    }
-
-    /// Joins two classes; whether they were two.
-    pub fn join(&mut self, a: usize, b: usize) -> bool {
-        let (a, b) = (self.of(a), self.of(b));
-        self.0[a.max(b)] = a.min(b) as u32;
-        a != b
-    }
+    let ([v, w], offset) = nearest_on_triangle(p - a, [b - a, c - a]);
+    ([1.0 - v - w, v, w], a + offset)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::Shape;
-    use crate::rng::Rng;
 
     #[test]
     fn refining_keeps_the_surface() {
@@ -443,26 +394,6 @@ mod tests {
         assert_eq!(surface.parts, 2);
         let flat = surface.part_areas()[surface.part(0) as usize];
         assert!((flat - 0.25 - 0.5 * 0.5f64.hypot(0.05)).abs() < 1e-9, "the two flattest stay together: {flat}");
-    }
-
-    #[test]
-    fn nearest_point_of_a_triangle_beats_every_other() {
-        let mut rng = Rng::new(3, 0);
-        let mut point = || DVec3::from(rng.in_ball(1.0));
-        for _ in 0..200 {
-            let (corners, p) = ([point(), point(), point()], point());
-            let (weights, nearest) = nearest_in_triangle(p, corners);
-            assert!(
-                weights.iter().all(|w| (0.0..=1.0).contains(w)) && (weights.iter().sum::<f64>() - 1.0).abs() < 1e-9
-            );
-            for i in 0..=20 {
-                for j in 0..=20 - i {
-                    let (u, v) = (f64::from(i) / 20.0, f64::from(j) / 20.0);
-                    let other = (1.0 - u - v) * corners[0] + u * corners[1] + v * corners[2];
-                    assert!(p.distance(nearest) <= p.distance(other) + 1e-9);
-                }
-            }
-        }
     }
 
     #[test]

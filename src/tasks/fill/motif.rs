@@ -5,7 +5,7 @@
 
 use super::Style;
 use crate::settings::{Motif as Laid, Settings};
-use crate::view::Image;
+use crate::view::{Image, StructureTensor};
 
 /// Blurs of the gradient before it is squared and of the squares, as shares of the picture's side: a stroke's width and
 /// the size of the neighbourhood that runs one way.
@@ -121,19 +121,13 @@ fn directions(tone: &Image) -> [Image; 2] {
     let side = tone.width as f64;
     let smooth = tone.blurred(FINE * side);
     let (width, height) = (tone.width, tone.height);
-    let mut squares = [(); 3].map(|()| Image::new(width, height));
-    for y in 0..height {
-        for x in 0..width {
-            // Across the border the picture is taken to be repeated.
-            let at = |x: usize, y: usize| smooth.at(x % width, y % height);
-            let dx = at(x + 1, y) - at(x + width - 1, y);
-            let dy = at(x, y + 1) - at(x, y + height - 1);
-            for (square, value) in squares.iter_mut().zip([dx * dx, dx * dy, dy * dy]) {
-                square.data[y * width + x] = value;
-            }
-        }
-    }
-    let [xx, xy, yy] = squares.map(|square| square.blurred(COARSE * side));
+    let StructureTensor { xx, xy, yy } = StructureTensor::new([width, height], COARSE * side, |x, y| {
+        // Across the border the picture is taken to be repeated.
+        let at = |x: usize, y: usize| smooth.at(x % width, y % height);
+        let dx = at(x + 1, y) - at(x + width - 1, y);
+        let dy = at(x, y + 1) - at(x, y + height - 1);
+        [[dx, dy].map(f64::from)]
+    });
     let strongest = xx.data.iter().zip(&yy.data).map(|(a, b)| a + b).fold(0.0, f32::max).max(1e-12);
     let mut along = [(); 2].map(|()| Image::new(width, height));
     for i in 0..width * height {

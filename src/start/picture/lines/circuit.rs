@@ -1,6 +1,7 @@
 //! The shortest closed walk over all edges of a graph, nearly (the Chinese postman's problem): edges are walked twice only
 //! between places where an odd number of them meet.
 
+use crate::geometry::DisjointSets;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -75,13 +76,11 @@ impl<'a> Graph<'a> {
             .collect();
         let through = |k: usize| self.edges[k].iter().map(|&node| price[node]).sum::<f64>() + self.lengths[k];
         bridges.sort_unstable_by(|&a, &b| through(a).total_cmp(&through(b)).then(a.cmp(&b)));
-        let mut root: Vec<usize> = (0..odd.len()).collect();
+        let mut regions = DisjointSets::new(odd.len());
         let mut tree: Vec<Vec<(usize, usize)>> = vec![Vec::new(); odd.len()];
         for k in bridges {
             let [a, b] = self.edges[k].map(|node| owner[node]);
-            let (from, to) = (find(&mut root, a), find(&mut root, b));
-            if from != to {
-                root[from] = to;
+            if regions.join(a, b) {
                 tree[a].push((b, k));
                 tree[b].push((a, k));
             }
@@ -155,14 +154,6 @@ fn euler(places: &[[f64; 2]], steps: &[[usize; 2]], start: usize) -> Vec<usize> 
 
 fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
-}
-
-fn find(root: &mut [usize], mut i: usize) -> usize {
-    while root[i] != i {
-        root[i] = root[root[i]];
-        i = root[i];
-    }
-    i
 }
 
 #[cfg(test)]
