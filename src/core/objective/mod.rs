@@ -21,4 +21,4 @@ pub use surface::surface_and_gradient;
 #[cfg(feature = "gpu")]
 pub use texture::packed as packed_texture;
 pub use texture::{Texture, TextureLoss, TextureOptions, crop_weights};
-pub use warp::{Displacement, Warp, WarpWeights};
+pub use warp::{Displacement, Warp, WarpWeights, bend_ink};

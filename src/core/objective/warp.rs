@@ -261,21 +261,36 @@ impl<R: Real> Warp<R> {
         energy + self.straightness.energy_and_gradient(field, R::from_f64(weights.straight), d_field)
     }
 
+    /// The displacement of every pixel, px at 256, row by row.
+    pub fn displacements(&mut self, field: &[[R; 2]]) -> Vec<[R; 2]> {
+        let mut all = Vec::with_capacity(self.width * self.height);
+        for y in 0..self.height {
+            self.blend_row(field, y);
+            all.extend((0..self.width).map(|x| self.displacement_at(x)));
+        }
+        all
+    }
+
     /// How far the ink of `bent`, made from this field, has moved.
     pub fn displacement(&mut self, field: &[[R; 2]], bent: &[R]) -> Displacement {
         let (mut sum, mut max, mut count) = (0.0, 0.0f64, 0usize);
-        for y in 0..self.height {
-            self.blend_row(field, y);
-            for x in 0..self.width {
-                if bent[y * self.width + x] > R::from_f64(0.5) {
-                    let length = self.displacement_at(x).map(|c| c.to_f64().unwrap_or(0.0));
-                    let length = length[0].hypot(length[1]);
-                    (sum, max, count) = (sum + length, max.max(length), count + 1);
-                }
+        for (&[x, y], &ink) in self.displacements(field).iter().zip(bent) {
+            if ink > R::from_f64(0.5) {
+                let length = x.to_f64().unwrap_or(0.0).hypot(y.to_f64().unwrap_or(0.0));
+                (sum, max, count) = (sum + length, max.max(length), count + 1);
             }
         }
         Displacement { mean_px: sum / count.max(1) as f64, max_px: max }
     }
+}
+
+/// `ink` bent by a field over a net of `grid` x `grid` control vectors, at its own size, and how far its ink moved.
+pub fn bend_ink(ink: &Image, grid: usize, field: &[[f32; 2]]) -> (Image, Displacement) {
+    let mut warp = Warp::new(ink, grid);
+    let mut bent = Image::new(ink.width, ink.height);
+    warp.bend(field, &mut bent.data);
+    let displacement = warp.displacement(field, &bent.data);
+    (bent, displacement)
 }
 
 /// Where everything within `reach` pixels along both axes is set; beyond the border nothing speaks against it.

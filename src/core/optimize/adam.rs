@@ -29,11 +29,15 @@ pub struct AdamOptions {
 
 impl Default for AdamOptions {
     fn default() -> Self {
-        AdamOptions { beta1: 0.9, beta2: 0.99, epsilon: 1e-8, second_moment: SecondMoment::PerComponent }
+        AdamOptions::PLAIN
     }
 }
 
 impl AdamOptions {
+    /// Usual decays, each component on its own.
+    pub const PLAIN: AdamOptions =
+        AdamOptions { beta1: 0.9, beta2: 0.99, epsilon: 1e-8, second_moment: SecondMoment::PerComponent };
+
     /// An error unless both decays lie in 0..1 and epsilon is positive.
     pub fn check(&self) -> Result<()> {
         let decays = [self.beta1, self.beta2].iter().all(|beta| (0.0..1.0).contains(beta));

@@ -1,7 +1,7 @@
 //! The joint warp: while the wire moves towards the targets, the targets bend a little towards the wire.
 
-use super::{Adam, AdamOptions, Schedule, SecondMoment};
-use crate::objective::{Displacement, Warp, WarpWeights};
+use super::{Adam, AdamOptions, Schedule};
+use crate::objective::{Warp, WarpWeights};
 use crate::parallel;
 use crate::view::Image;
 use crate::{Error, Result};
@@ -34,8 +34,7 @@ impl Default for Bending {
 }
 
 /// Displacements forget faster than the wire does: their loss changes under them.
-const ADAM: AdamOptions =
-    AdamOptions { beta1: 0.9, beta2: 0.97, epsilon: 1e-7, second_moment: SecondMoment::PerComponent };
+const ADAM: AdamOptions = AdamOptions { beta1: 0.9, beta2: 0.97, epsilon: 1e-7, ..AdamOptions::PLAIN };
 
 impl Bending {
     pub(super) fn check(&self) -> Result<()> {
@@ -144,13 +143,4 @@ impl Bender {
             warp.bend(&field.values, bent);
         });
     }
-}
-
-/// `ink` bent by a field, at its own size, and how far its ink moved.
-pub(super) fn bend_image(ink: &Image, grid: usize, field: &[[f32; 2]]) -> (Image, Displacement) {
-    let mut warp = Warp::new(ink, grid);
-    let mut bent = Image::new(ink.width, ink.height);
-    warp.bend(field, &mut bent.data);
-    let displacement = warp.displacement(field, &bent.data);
-    (bent, displacement)
 }

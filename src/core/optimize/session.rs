@@ -1,6 +1,6 @@
 //! The session: pulls a problem along, iteration by iteration, and decides what happens when.
 
-use super::bending::{Bender, Field, bend_image};
+use super::bending::{Bender, Field};
 use super::engine::{Engine, Picture, Place, State, Step, Tally, term_count};
 use super::handed::{fitted_size, size_within};
 use super::history::{Event, EventKind, History};
@@ -8,7 +8,7 @@ use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::topology::TopologyEdit;
 use super::work::wait;
 use super::{CpuEngine, Problem, Stage};
-use crate::objective::Displacement;
+use crate::objective::{Displacement, bend_ink};
 use crate::rng::Rng;
 use crate::view::Image;
 use crate::wire::{Form, MAX_COORDINATE, Wire};
@@ -183,11 +183,11 @@ impl Session {
         match (&self.problem.recipe.bending, &self.bender) {
             (Some(bending), Some(bender)) => targets
                 .zip(bender.fields())
-                .map(|(target, field)| bend_image(&target.ink, bending.grid, &field.values))
+                .map(|(target, field)| bend_ink(&target.ink, bending.grid, &field.values))
                 .collect(),
             (Some(bending), None) => targets
                 .zip(&self.fields)
-                .map(|(target, field)| bend_image(&target.ink, bending.grid, &field.values))
+                .map(|(target, field)| bend_ink(&target.ink, bending.grid, &field.values))
                 .collect(),
             (None, _) => targets.map(|target| (target.ink.clone(), Displacement::default())).collect(),
         }

@@ -1,29 +1,28 @@
 //! Bending drawings before the start so that their hulls agree: a smooth displacement field per view, all together, that
-//! moves ink to where some point of space lies on ink in every view. Straight strokes are kept straight.
+//! moves ink to where some point of space lies on ink in every view. The field is the one that bends targets during the fit
+//! ([`Warp`]), so straight strokes are kept straight in the same way.
 
-use super::displacement::Lattice;
 use super::shared::are_canonical;
 use crate::error::Result;
+use crate::objective::{Displacement, Warp, WarpWeights, bend_ink};
+use crate::optimize::{Adam, AdamOptions};
 use crate::view::{Image, Target};
 
 /// How freely drawings may bend. The weights were found by trial: drawings stay readable and agree.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendOptions {
-    /// Price of bending and shearing the paper.
-    pub stiffness: f32,
-    /// Price of moving at all.
-    pub stay: f32,
-    /// Price of bending a straight stroke, on top.
-    pub straightness: f32,
+    /// What keeps the fields small, smooth and kind to straight strokes.
+    pub weights: WarpWeights,
     /// How far a drawing's ink may move on average, px of a 256 px picture: beyond, people no longer see their drawing.
-    pub max_mean_px: f32,
+    pub max_mean_px: f64,
     /// Steps of the search.
     pub steps: usize,
 }
 
 impl Default for BendOptions {
     fn default() -> Self {
-        BendOptions { stiffness: 0.02, stay: 0.001, straightness: 1.0, max_mean_px: 6.0, steps: 160 }
+        let weights = WarpWeights { smooth: 3e-3, magnitude: 1e-4, straight: 1.5 };
+        BendOptions { weights, max_mean_px: 6.0, steps: 160 }
     }
 }
 
@@ -32,18 +31,22 @@ impl Default for BendOptions {
 pub struct Bent {
     /// The bent targets.
     pub targets: Vec<Target>,
-    /// For each view how far its ink moved on average, px of a 256 px picture.
-    pub mean_px: Vec<f32>,
-    /// For each view how far its ink moved at most, px of a 256 px picture.
-    pub max_px: Vec<f32>,
+    /// For each view how far its ink moved.
+    pub moved: Vec<Displacement>,
     /// Why nothing was bent, if so.
     pub note: Option<&'static str>,
 }
 
 /// Side of the pictures on which the search runs.
 const SIDE: usize = 64;
-/// Lattice points a side of the displacement fields.
-const CONTROLS: usize = 12;
+/// Control vectors along each side of a field.
+const GRID: usize = 12;
+/// Pixels at 256 between two of them.
+const SPACING_PX: f64 = 256.0 / (GRID - 3) as f64;
+/// How far a step moves control vectors at first and in the end, px at 256.
+const RATES_PX: [f64; 2] = [0.48, 0.096];
+/// Agreement changes under the fields: they forget faster than a plain descent.
+const ADAM: AdamOptions = AdamOptions { beta1: 0.9, beta2: 0.98, epsilon: 1e-9, ..AdamOptions::PLAIN };
 
 /// Bends the drawings of two (front, side) or three (front, side, top) canonical orthographic views; other views are
 /// left as they are, with a note. `progress` is told the share done and stops the search by returning false.
@@ -52,10 +55,9 @@ const CONTROLS: usize = 12;
 /// None today; kept for pictures that cannot be bent.
 pub fn bend(targets: &[Target], options: &BendOptions, progress: &mut dyn FnMut(f32) -> bool) -> Result<Bent> {
     if !are_canonical(targets) {
-        let count = targets.len();
         let note = "only front, side and top views without perspective can be bent before the start";
-        let zeros = vec![0.0; count];
-        return Ok(Bent { targets: targets.to_vec(), mean_px: zeros.clone(), max_px: zeros, note: Some(note) });
+        let moved = vec![Displacement::default(); targets.len()];
+        return Ok(Bent { targets: targets.to_vec(), moved, note: Some(note) });
     }
     let mut search = Search::new(targets, *options);
     for step in 0..options.steps {
@@ -71,35 +73,19 @@ pub fn bend(targets: &[Target], options: &BendOptions, progress: &mut dyn FnMut(
 struct Sheet {
     /// Ink at [`SIDE`] px.
     ink: Image,
-    /// Ink blurred and saturated: what the search sees at its present coarseness.
-    soft: Image,
-    /// Displacement lattices across and down, px of [`SIDE`].
-    lattice: [Vec<f32>; 2],
-    momentum: [Vec<f32>; 2],
-    spread: [Vec<f32>; 2],
-    /// Displacement at every pixel.
-    shift: [Vec<f32>; 2],
-    /// Soft ink as displaced, and its slopes across and down.
+    /// Bends that.
+    clean: Warp<f32>,
+    /// Bends it blurred and saturated: what the search sees at its present coarseness.
+    soft: Warp<f32>,
+    field: Vec<[f32; 2]>,
+    adam: Adam<2>,
+    /// Soft ink as displaced.
     warped: Vec<f32>,
-    slope: [Vec<f32>; 2],
     d_warped: Vec<f32>,
-    straight: Straight,
-}
-
-/// Where strokes are straight and which way they run, as planes that can be gone through side by side. For a stroke of
-/// unit direction t and normal n, the second derivative of n·d along t is Σ n(c) f(k) ∂²d(c) over the three second
-/// derivatives.
-struct Straight {
-    weight: Vec<f32>,
-    /// n, across and down.
-    normal: [Vec<f32>; 2],
-    /// f: t(x)², 2 t(x) t(y), t(y)².
-    factor: [Vec<f32>; 3],
 }
 
 struct Search {
     options: BendOptions,
-    lattice: Lattice,
     sheets: Vec<Sheet>,
 }
 
@@ -112,59 +98,42 @@ impl Search {
             }
             Sheet::new(ink)
         });
-        Search { options, lattice: Lattice::new(SIDE, CONTROLS), sheets: sheets.collect() }
+        Search { options, sheets: sheets.collect() }
     }
 
     fn step(&mut self, step: usize) {
-        let done = step as f32 / self.options.steps as f32;
+        let done = step as f64 / self.options.steps as f64;
         // From a blur that bridges most gaps down to the drawing itself.
         let sigma = 2.5 * (1.0 - done) + 0.6;
         for sheet in &mut self.sheets {
             if step.is_multiple_of(20) {
                 sheet.soften(sigma);
             }
-            sheet.warp(&mut self.lattice);
+            sheet.soft.bend(&sheet.field, &mut sheet.warped);
         }
         agreement_gradient(&mut self.sheets);
-        let rate = 0.12 * (1.0 - 0.8 * done);
+        let [first, last] = RATES_PX;
+        let rate = first + done * (last - first);
         for sheet in &mut self.sheets {
-            sheet.descend(&mut self.lattice, &self.options, rate, step + 1);
-            sheet.warp(&mut self.lattice);
+            sheet.descend(&self.options.weights, rate as f32);
+            sheet.soft.bend(&sheet.field, &mut sheet.warped);
             sheet.keep_size();
-            sheet.keep_near(self.options.max_mean_px * SIDE as f32 / 256.0);
+            sheet.keep_near(self.options.max_mean_px);
         }
     }
 
     fn finished(self, targets: &[Target]) -> Bent {
-        let mut bent = Bent { targets: Vec::new(), mean_px: Vec::new(), max_px: Vec::new(), note: None };
-        for (v, (sheet, target)) in self.sheets.iter().zip(targets).enumerate() {
-            let size = target.ink.width;
-            let mut fine = Lattice::new(size, CONTROLS);
-            let scale = size as f32 / SIDE as f32;
-            let mut shift = [vec![0.0; size * size], vec![0.0; size * size]];
-            for (shift, lattice) in shift.iter_mut().zip(&sheet.lattice) {
-                fine.evaluate(lattice, 0, 0, shift);
-                shift.iter_mut().for_each(|s| *s *= scale);
+        let mut bent = Bent { targets: Vec::new(), moved: Vec::new(), note: None };
+        for (v, (sheet, target)) in self.sheets.into_iter().zip(targets).enumerate() {
+            let mut field = sheet.field;
+            if v == 1 {
+                // The side's field was found in its mirror image.
+                field.chunks_exact_mut(GRID).for_each(<[_]>::reverse);
+                field.iter_mut().for_each(|[across, _]| *across = -*across);
             }
-            let (mut sum, mut count, mut most) = (0.0, 0.0, 0.0f32);
-            let mut ink = Image::new(size, size);
-            for y in 0..size {
-                for x in 0..size {
-                    // The side's field was found in its mirror image.
-                    let column = if v == 1 { size - 1 - x } else { x };
-                    let at = y * size + column;
-                    let (across, down) = (if v == 1 { -shift[0][at] } else { shift[0][at] }, shift[1][at]);
-                    let value = target.ink.sample(x as f32 + 0.5 + across, y as f32 + 0.5 + down);
-                    ink.data[y * size + x] = value;
-                    if value > 0.5 {
-                        let far = across.hypot(down) * 256.0 / size as f32;
-                        (sum, count, most) = (sum + far, count + 1.0, most.max(far));
-                    }
-                }
-            }
+            let (ink, moved) = bend_ink(&target.ink, GRID, &field);
             bent.targets.push(Target { view: target.view.clone(), ink });
-            bent.mean_px.push(if count > 0.0 { sum / count } else { 0.0 });
-            bent.max_px.push(most);
+            bent.moved.push(moved);
         }
         bent
     }
@@ -172,196 +141,70 @@ impl Search {
 
 impl Sheet {
     fn new(ink: Image) -> Sheet {
-        let zeros = || [vec![0.0; CONTROLS * CONTROLS], vec![0.0; CONTROLS * CONTROLS]];
-        let plane = || vec![0.0; SIDE * SIDE];
         Sheet {
-            straight: straightness(&ink),
-            soft: ink.clone(),
+            clean: Warp::new(&ink, GRID),
+            soft: Warp::new(&ink, GRID),
             ink,
-            lattice: zeros(),
-            momentum: zeros(),
-            spread: zeros(),
-            shift: [plane(), plane()],
-            warped: plane(),
-            slope: [plane(), plane()],
-            d_warped: plane(),
+            field: vec![[0.0; 2]; GRID * GRID],
+            adam: Adam::new(GRID * GRID),
+            warped: vec![0.0; SIDE * SIDE],
+            d_warped: vec![0.0; SIDE * SIDE],
         }
     }
 
-    fn soften(&mut self, sigma: f32) {
-        self.soft = self.ink.blurred(f64::from(sigma));
+    fn soften(&mut self, sigma_px: f64) {
+        let mut soft = self.ink.blurred(sigma_px);
         // Saturated, so that a blurred line is as dark in its middle as before.
-        self.soft.data.iter_mut().for_each(|v| *v = (*v * (1.0 + 0.9 * sigma)).min(1.0));
-    }
-
-    fn warp(&mut self, lattice: &mut Lattice) {
-        for c in 0..2 {
-            lattice.evaluate(&self.lattice[c], 0, 0, &mut self.shift[c]);
-        }
-        for y in 0..SIDE {
-            for x in 0..SIDE {
-                let i = y * SIDE + x;
-                let (value, slope) =
-                    sample_with_slope(&self.soft, x as f32 + self.shift[0][i], y as f32 + self.shift[1][i]);
-                self.warped[i] = value;
-                (self.slope[0][i], self.slope[1][i]) = (slope[0], slope[1]);
-            }
-        }
+        soft.data.iter_mut().for_each(|v| *v = (*v * (1.0 + 0.9 * sigma_px as f32)).min(1.0));
+        self.soft = Warp::new(&soft, GRID);
     }
 
     /// One Adam step down the gradient left in `d_warped` plus the prices of bending.
-    fn descend(&mut self, lattice: &mut Lattice, options: &BendOptions, rate: f32, step: usize) {
-        const K: usize = CONTROLS;
-        let mut gradient = [vec![0.0f32; K * K], vec![0.0f32; K * K]];
-        let mut product = vec![0.0f32; SIDE * SIDE];
-        for c in 0..2 {
-            for (i, value) in product.iter_mut().enumerate() {
-                *value = self.d_warped[i] * self.slope[c][i];
-            }
-            lattice.evaluate_vjp(&product, 0, 0, &mut gradient[c]);
-            let per_control = 1.0 / (K * K) as f32;
-            add_difference_gradient(&self.lattice[c], options.stiffness * per_control, &mut gradient[c]);
-            for (g, d) in gradient[c].iter_mut().zip(&self.lattice[c]) {
-                *g += 2.0 * options.stay * per_control * d;
-            }
-        }
-        self.add_straightness_gradient(lattice, options.straightness, &mut gradient);
-        let (bias_m, bias_v) = (1.0 - 0.9f32.powi(step as i32), 1.0 - 0.98f32.powi(step as i32));
-        for c in 0..2 {
-            for i in 0..K * K {
-                let g = gradient[c][i];
-                self.momentum[c][i] = 0.9 * self.momentum[c][i] + 0.1 * g;
-                self.spread[c][i] = 0.98 * self.spread[c][i] + 0.02 * g * g;
-                self.lattice[c][i] -=
-                    rate * (self.momentum[c][i] / bias_m) / ((self.spread[c][i] / bias_v).sqrt() + 1e-9);
-            }
-        }
+    fn descend(&mut self, weights: &WarpWeights, rate_px: f32) {
+        let mut gradient = vec![[0.0; 2]; GRID * GRID];
+        self.soft.bend_vjp(&self.d_warped, &mut gradient);
+        self.clean.regularise(&self.field, weights, &mut gradient);
+        self.adam.step(&ADAM, &[rate_px; 2], &mut self.field, &gradient);
+    }
+
+    /// Each pixel with how much ink there is and how far it moves, px at 256.
+    fn moving(&mut self) -> impl Iterator<Item = (usize, f64, [f64; 2])> {
+        let moved = self.soft.displacements(&self.field);
+        let ink = self.warped.iter().zip(moved).enumerate();
+        ink.map(|(i, (&ink, moved))| (i, f64::from(ink), moved.map(f64::from)))
     }
 
     /// Takes out how much the displacement stretches the ink as a whole, across and down: shrinking always agrees
     /// better, for what is small strays little, but shows nobody's drawing better.
     fn keep_size(&mut self) {
-        const K: usize = CONTROLS;
-        let total: f32 = self.warped.iter().sum::<f32>().max(1e-6);
+        // Where pixels and control vectors stand, px at 256; control k of a uniform cubic B-spline stands at k - 1 steps.
+        let place =
+            |i: usize, c: usize| ((if c == 0 { i % SIDE } else { i / SIDE }) as f64 + 0.5) * 256.0 / SIDE as f64;
+        let control = |i: usize, c: usize| ((if c == 0 { i % GRID } else { i / GRID }) as f64 - 1.0) * SPACING_PX;
+        let moving: Vec<_> = self.moving().collect();
+        let total = moving.iter().map(|(_, ink, _)| ink).sum::<f64>().max(1e-6);
         for c in 0..2 {
-            let place = |i: usize| (if c == 0 { i % SIDE } else { i / SIDE }) as f32 + 0.5;
-            let ink = || self.warped.iter().enumerate();
-            let middle = ink().map(|(i, w)| w * place(i)).sum::<f32>() / total;
-            let stretch = ink().map(|(i, w)| w * (place(i) - middle) * self.shift[c][i]).sum::<f32>();
-            let size = ink().map(|(i, w)| w * (place(i) - middle).powi(2)).sum::<f32>();
+            let middle = moving.iter().map(|&(i, ink, _)| ink * place(i, c)).sum::<f64>() / total;
+            let stretch: f64 = moving.iter().map(|&(i, ink, moved)| ink * (place(i, c) - middle) * moved[c]).sum();
+            let size: f64 = moving.iter().map(|&(i, ink, _)| ink * (place(i, c) - middle).powi(2)).sum();
             let share = stretch / size.max(1e-6);
-            // Control k of a uniform cubic B-spline stands at (k - 1) steps: a linear function's own controls.
-            let spacing = SIDE as f32 / (K - 3) as f32;
-            for (i, d) in self.lattice[c].iter_mut().enumerate() {
-                let k = if c == 0 { i % K } else { i / K };
-                *d -= share * ((k as f32 - 1.0) * spacing - middle);
-            }
-            for i in 0..SIDE * SIDE {
-                self.shift[c][i] -= share * (place(i) - middle);
+            for (i, d) in self.field.iter_mut().enumerate() {
+                d[c] -= (share * (control(i, c) - middle)) as f32;
             }
         }
     }
 
     /// Scales the displacement down where the ink would move farther than `most_px` on average.
-    fn keep_near(&mut self, most_px: f32) {
-        let total: f32 = self.warped.iter().sum::<f32>().max(1e-6);
-        let far = |(i, w): (usize, &f32)| w * self.shift[0][i].hypot(self.shift[1][i]);
-        let mean = self.warped.iter().enumerate().map(far).sum::<f32>() / total;
-        if mean > most_px {
-            let share = most_px / mean;
-            self.lattice.iter_mut().flatten().for_each(|d| *d *= share);
+    fn keep_near(&mut self, most_px: f64) {
+        let (mut far, mut total) = (0.0, 1e-6);
+        for (_, ink, [across, down]) in self.moving() {
+            (far, total) = (far + ink * across.hypot(down), total + ink);
+        }
+        if far / total > most_px {
+            let share = (most_px * total / far) as f32;
+            self.field.iter_mut().flatten().for_each(|d| *d *= share);
         }
     }
-
-    /// Gradient of mean w (∂²(n·d)/∂t²)² over straight strokes with direction t and normal n: how much a straight
-    /// stroke would curve.
-    fn add_straightness_gradient(&self, lattice: &mut Lattice, weight: f32, gradient: &mut [Vec<f32>; 2]) {
-        let Straight { weight: strength, normal, factor } = &self.straight;
-        let total: f32 = strength.iter().sum();
-        if weight <= 0.0 || total <= 0.0 {
-            return;
-        }
-        let orders = [(2, 0), (1, 1), (0, 2)];
-        let mut curving = vec![0.0f32; SIDE * SIDE];
-        let mut part = vec![0.0f32; SIDE * SIDE];
-        for c in 0..2 {
-            for (k, &(along_x, along_y)) in orders.iter().enumerate() {
-                lattice.evaluate(&self.lattice[c], along_x, along_y, &mut part);
-                for (((sum, n), f), d) in curving.iter_mut().zip(&normal[c]).zip(&factor[k]).zip(&part) {
-                    *sum += n * f * d;
-                }
-            }
-        }
-        // Scaled to the size of lattice differences, (SIDE / CONTROLS)², so that its weight compares with stiffness.
-        let scale = (SIDE as f32 / CONTROLS as f32).powi(4) * weight / total / CONTROLS as f32;
-        for c in 0..2 {
-            for (k, &(along_x, along_y)) in orders.iter().enumerate() {
-                let directions = normal[c].iter().zip(&factor[k]);
-                for (((d, w), curving), (n, f)) in part.iter_mut().zip(strength).zip(&curving).zip(directions) {
-                    *d = 2.0 * scale * w * curving * n * f;
-                }
-                lattice.evaluate_vjp(&part, along_x, along_y, &mut gradient[c]);
-            }
-        }
-    }
-}
-
-/// Gradient of the squared second differences, and half the squared first ones, along both axes of a lattice.
-fn add_difference_gradient(lattice: &[f32], weight: f32, gradient: &mut [f32]) {
-    const K: usize = CONTROLS;
-    for stride in [1, K] {
-        for line in 0..K {
-            let start = if stride == 1 { line * K } else { line };
-            for i in 0..K - 1 {
-                let (a, b) = (start + i * stride, start + (i + 1) * stride);
-                let first = weight * (lattice[b] - lattice[a]);
-                gradient[a] -= first;
-                gradient[b] += first;
-                if i + 2 < K {
-                    let c = b + stride;
-                    let second = 2.0 * weight * (lattice[a] - 2.0 * lattice[b] + lattice[c]);
-                    gradient[a] += second;
-                    gradient[b] -= 2.0 * second;
-                    gradient[c] += second;
-                }
-            }
-        }
-    }
-}
-
-/// Where the picture's edges run straight: weight 0 to 1 and direction, from the structure tensor (Bigün & Granlund
-/// 1987) over a window of a tenth of the picture.
-fn straightness(ink: &Image) -> Straight {
-    let soft = ink.blurred(0.7);
-    let mut tensor = [Image::new(SIDE, SIDE), Image::new(SIDE, SIDE), Image::new(SIDE, SIDE)];
-    for y in 1..SIDE - 1 {
-        for x in 1..SIDE - 1 {
-            let gx = 0.5 * (soft.at(x + 1, y) - soft.at(x - 1, y));
-            let gy = 0.5 * (soft.at(x, y + 1) - soft.at(x, y - 1));
-            let i = y * SIDE + x;
-            for (image, value) in tensor.iter_mut().zip([gx * gx, gx * gy, gy * gy]) {
-                image.data[i] = value;
-            }
-        }
-    }
-    let tensor = tensor.map(|image| image.blurred(SIDE as f64 / 20.0));
-    let mut straight = Straight { weight: Vec::new(), normal: Default::default(), factor: Default::default() };
-    for i in 0..SIDE * SIDE {
-        let [xx, xy, yy] = [0, 1, 2].map(|k| tensor[k].data[i]);
-        let (sum, spread) = (xx + yy, (xx - yy).hypot(2.0 * xy));
-        let coherence = if sum > 1e-6 { spread / sum } else { 0.0 };
-        // The stroke runs across the strongest gradient.
-        let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
-        let [tx, ty] = [-angle.sin(), angle.cos()];
-        straight.weight.push(coherence.powi(4) * soft.data[i].min(1.0));
-        for (plane, value) in straight.normal.iter_mut().zip([-ty, tx]) {
-            plane.push(value);
-        }
-        for (plane, value) in straight.factor.iter_mut().zip([tx * tx, 2.0 * tx * ty, ty * ty]) {
-            plane.push(value);
-        }
-    }
-    straight
 }
 
 /// Fills each sheet's `d_warped` with the gradient of Σ_views Σ A (1 - cov A)² / Σ A, where for the front
@@ -455,18 +298,6 @@ fn largest_product(a: &[f32], c: &[f32]) -> (f32, u32) {
     found
 }
 
-/// Bilinear value and its slopes at a place in pixels (centres at whole numbers); the nearest value outside.
-fn sample_with_slope(image: &Image, x: f32, y: f32) -> (f32, [f32; 2]) {
-    let last = (SIDE - 1) as f32;
-    let (x, y) = (x.clamp(0.0, last - 1e-3), y.clamp(0.0, last - 1e-3));
-    let (column, row) = (x as usize, y as usize);
-    let (u, v) = (x - column as f32, y - row as f32);
-    let i = row * SIDE + column;
-    let (a, b, c, d) = (image.data[i], image.data[i + 1], image.data[i + SIDE], image.data[i + SIDE + 1]);
-    let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-    (upper + v * (lower - upper), [(b - a) + v * ((d - c) - (b - a)), lower - upper])
-}
-
 fn mirror(image: &mut Image) {
     for row in image.data.chunks_exact_mut(image.width) {
         row.reverse();
@@ -492,24 +323,24 @@ mod tests {
         let (before, after) = (share(&drawings), share(&bent.targets));
         assert!(after > before + 0.1, "{before} to {after}");
         for v in 0..3 {
-            assert!(bent.mean_px[v] > 0.5 && bent.mean_px[v] < 20.0 && bent.max_px[v] < 40.0);
+            let Displacement { mean_px, max_px } = bent.moved[v];
+            assert!(mean_px > 0.5 && mean_px < 20.0 && max_px < 40.0);
         }
-        let stiff = BendOptions { stiffness: 10.0, stay: 10.0, ..BendOptions::default() };
-        let kept = bend(&drawings, &stiff, &mut |_| true).unwrap();
-        assert!(kept.max_px.iter().all(|&px| px < 1.0), "{:?}", kept.max_px);
+        let weights = WarpWeights { smooth: 10.0, magnitude: 10.0, straight: 1.0 };
+        let kept = bend(&drawings, &BendOptions { weights, ..BendOptions::default() }, &mut |_| true).unwrap();
+        assert!(kept.moved.iter().all(|moved| moved.max_px < 1.0), "{:?}", kept.moved);
         assert_eq!(bent, bend(&drawings, &BendOptions::default(), &mut |_| true).unwrap());
     }
 
     #[test]
     fn agreement_gradient_is_that_of_finite_differences() {
         let mut sheets: Vec<Sheet> = Search::new(&letters(), BendOptions::default()).sheets;
-        let mut lattice = Lattice::new(SIDE, CONTROLS);
         for (v, sheet) in sheets.iter_mut().enumerate() {
             sheet.soften(1.5);
-            for i in 0..CONTROLS * CONTROLS {
-                sheet.lattice[0][i] = ((i * 7 + v) % 5) as f32 * 0.2;
+            for (i, [across, _]) in sheet.field.iter_mut().enumerate() {
+                *across = ((i * 7 + v) % 5) as f32 * 0.8;
             }
-            sheet.warp(&mut lattice);
+            sheet.soft.bend(&sheet.field, &mut sheet.warped);
         }
         let cost = |sheets: &[Sheet]| -> f64 {
             const N: usize = SIDE;
@@ -588,13 +419,13 @@ mod tests {
             (rows().map(|(w, y)| w * (y - middle).powi(2)).sum::<f64>() / total).sqrt()
         };
         let keeps_size = |before: &Image, after: &Image| (spread(after) / spread(before) - 1.0).abs() < 0.05;
-        let moved = |max_mean_px: f32| {
+        let moved = |max_mean_px: f64| {
             let options = BendOptions { max_mean_px, ..BendOptions::default() };
             let bent = bend(&drawings, &options, &mut |_| true).unwrap();
             for (after, before) in bent.targets.iter().zip(&drawings) {
                 assert!(keeps_size(&before.ink, &after.ink), "{} {}", spread(&before.ink), spread(&after.ink));
             }
-            bent.mean_px.iter().fold(0.0f32, |most, &mean| most.max(mean))
+            bent.moved.iter().fold(0.0f64, |most, moved| most.max(moved.mean_px))
         };
         assert!(moved(1.0) < 1.3 && moved(6.0) < 7.8, "{} {}", moved(1.0), moved(6.0));
         assert!(moved(100.0) > moved(1.0), "the check can fail");

@@ -5,7 +5,6 @@ mod arrange;
 mod back;
 mod bend;
 mod boxfit;
-mod displacement;
 mod grid;
 mod hull;
 mod orientation;

@@ -142,9 +142,7 @@ impl Plan {
             return Ok(targets.clone());
         }
         let bent = start::bend(targets, &BendOptions::default(), progress)?;
-        let moved = bent.mean_px.iter().zip(&bent.max_px);
-        let moved = moved.map(|(&mean, &max)| Displacement { mean_px: mean.into(), max_px: max.into() });
-        self.moved_before = moved.collect();
+        self.moved_before = bent.moved;
         Ok(bent.targets)
     }
 

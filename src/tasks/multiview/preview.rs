@@ -119,7 +119,7 @@ fn bends(plan: &Plan) -> Result<Vec<BendPreview>> {
     let free = BendPreview {
         coverable: Some(mean_share(&found)),
         likeness: Some(mean(likeness)),
-        moved_px: Some(mean(bent.mean_px.iter().copied().map(f64::from))),
+        moved_px: Some(mean(bent.moved.iter().map(|moved| moved.mean_px))),
         ..free
     };
     Ok(vec![unbent, little, free])
