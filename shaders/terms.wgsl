@@ -2,7 +2,7 @@
 
 @compute @workgroup_size(256)
 fn add_terms(@builtin(local_invocation_index) local: u32) {
-    let row = now.row * (scene.views + 10u);
+    let row = now.row * (scene.views + TERMS + 1u);
     var total = 0.0;
     for (var view = 0u; view < scene.views; view++) {
         var image = 0.0;
@@ -48,14 +48,16 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
             texture_loss += partials[scene.texture_partial + i];
         }
         terms[row] = total + jerk + path + surface + texture_loss + dot(strand, vec4f(1.0));
-        terms[row + scene.views + 1u] = jerk;
-        terms[row + scene.views + 2u] = path;
-        terms[row + scene.views + 3u] = surface;
-        terms[row + scene.views + 4u] = texture_loss;
-        for (var loss = 0u; loss < 4u; loss++) {
-            terms[row + scene.views + 5u + loss] = strand[loss];
-        }
-        terms[row + scene.views + 9u] = f32(atomicLoad(&cells[0]));
+        let others = row + scene.views;
+        terms[others + TERM_JERK] = jerk;
+        terms[others + TERM_LENGTH] = path;
+        terms[others + TERM_SURFACE] = surface;
+        terms[others + TERM_TEXTURE] = texture_loss;
+        terms[others + TERM_BENDING] = strand[0];
+        terms[others + TERM_TIGHTNESS] = strand[1];
+        terms[others + TERM_EVENNESS] = strand[2];
+        terms[others + TERM_CLEARANCE] = strand[3];
+        terms[others + TERMS] = f32(atomicLoad(&cells[0]));
         let loss = (total + texture_loss) * now.loss_scale;
         let is_best = loss < best[0].x || now.keeps_last == 1u;
         best[0] = vec4f(select(best[0].x, loss, is_best), f32(is_best), 0.0, 0.0);

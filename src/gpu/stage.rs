@@ -1,6 +1,7 @@
 //! The stages of an iteration in order: their shaders, which buffers they use, and over what they spread.
 
 use crate::objective::packed_texture::{BUNDLES, FEATURES};
+use crate::optimize::{Term, term_count};
 
 macro_rules! slots {
     ($($name:ident,)*) => {
@@ -204,8 +205,11 @@ const fn line(whole: &[u8], at: usize) -> (usize, usize, usize) {
 impl Stage {
     /// The whole shader.
     pub fn source(&self) -> String {
+        let terms =
+            Term::ALL.map(|term| format!("const TERM_{}: u32 = {}u;\n", term.name().to_uppercase(), term.at(0)));
         let constants = crate::raster::constants().map(|(name, value)| format!("const {name}: f32 = {value:e};\n"));
-        constants.concat() + &self.texts.join("\n")
+        let count = format!("const TERMS: u32 = {}u;\n", term_count(0));
+        constants.concat() + &terms.concat() + &count + &self.texts.join("\n")
     }
 
     /// The stage of that name.

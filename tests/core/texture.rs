@@ -4,7 +4,7 @@ use std::sync::Arc;
 use wire4d::Error;
 use wire4d::objective::{Texture, TextureOptions};
 use wire4d::optimize::{
-    Adam, AdamOptions, CpuEngine, Engine, Picture, Scene, SceneView, State, Step, term_count, wait,
+    Adam, AdamOptions, CpuEngine, Engine, Picture, Scene, SceneView, State, Step, Term, term_count, wait,
 };
 use wire4d::rng::Rng;
 use wire4d::view::{Image, View};
@@ -133,9 +133,6 @@ fn scene(style: Style, size_px: usize) -> (Scene, State) {
     (scene, State { adam: Adam::new(points.len()), points })
 }
 
-/// The texture's among the terms of one view.
-const TEXTURE: usize = 5;
-
 fn step(texture: f32) -> Step {
     Step {
         rates: [0.01, 0.01, 0.0, 1e-3],
@@ -156,7 +153,7 @@ fn the_engine_s_gradient_agrees_with_differences() {
     let (mut terms, mut gradient) = (vec![0.0; term_count(1)], Vec::new());
     let step = step(5.0);
     engine.evaluate_now(&state.points, &step, &mut terms, &mut gradient);
-    assert!(terms[TEXTURE] > 0.1, "{terms:?}");
+    assert!(terms[Term::Texture.at(1)] > 0.1, "{terms:?}");
     let mut rng = Rng::new(2, 2);
     let (mut squares, mut off, mut off_wrong) = (0.0, 0.0, 0.0);
     for _ in 0..12 {
@@ -193,7 +190,7 @@ fn a_wire_follows_the_style_it_is_given() {
         let mut losses = Vec::new();
         for _ in 0..80 {
             engine.evaluate_now(&state.points, &step, &mut terms, &mut gradient);
-            losses.push(terms[TEXTURE]);
+            losses.push(terms[Term::Texture.at(1)]);
             state.step(&step, &gradient);
         }
         assert!(losses[79] < 0.6 * losses[0], "from {} to {}", losses[0], losses[79]);

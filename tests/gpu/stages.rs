@@ -8,7 +8,7 @@ use wire4d::gpu::{Pipeline, Slot};
 use wire4d::objective::{
     MultiscaleMse, Pyramid, clearance_and_gradient, elastic_and_gradient, length_and_gradient, surface_and_gradient,
 };
-use wire4d::optimize::{Adam, AdamOptions, Scene, SceneView, SecondMoment, Step, term_count};
+use wire4d::optimize::{Adam, AdamOptions, Scene, SceneView, SecondMoment, Step, Term, term_count};
 use wire4d::rng::Rng;
 use wire4d::view::drop_hidden;
 use wire4d::wire::{Form, Wire};
@@ -122,8 +122,9 @@ fn curve_stages_agree() {
 
         pipeline.run("measure_surface", "add_terms", &[step], 0).unwrap();
         let terms: Vec<f32> = pipeline.read(Slot::Terms, term_count(3)).unwrap();
-        agree("regularisers", &[[terms[4], terms[5], terms[6]]], &[[jerk, length, surface]], LOSS);
-        assert!(surface > 0.0 && terms[7] == 0.0, "{terms:?}");
+        let found = [Term::Jerk, Term::Length, Term::Surface].map(|term| terms[term.at(3)]);
+        agree("regularisers", &[found], &[[jerk, length, surface]], LOSS);
+        assert!(surface > 0.0 && terms[Term::Texture.at(3)] == 0.0, "{terms:?}");
     }
 }
 

@@ -7,7 +7,7 @@ use optimize_common::random_wire;
 use std::sync::Arc;
 use wire4d::gpu::{GpuEngine, Pipeline, Slot};
 use wire4d::objective::{Guidance, MultiscaleMse, Pyramid, Texture, TextureLoss, TextureOptions, crop_weights};
-use wire4d::optimize::{CpuEngine, Engine, Picture, Scene, Step, term_count, wait};
+use wire4d::optimize::{CpuEngine, Engine, Picture, Scene, Step, Term, term_count, wait};
 use wire4d::rng::Rng;
 use wire4d::view::Image;
 
@@ -38,9 +38,6 @@ fn weights(scene: &Scene, view: usize) -> Vec<f32> {
     view.texture_mask.as_ref().map_or_else(|| vec![1.0; view.target.data.len()], |mask| mask.data.clone())
 }
 
-/// The texture's among the terms of three views.
-const TEXTURE: usize = 7;
-
 /// Losses and gradients of pictures of noise: the processor's with the texture's weight times `skew`.
 fn of_noise(pipeline: &mut Pipeline, scene: &Scene, skew: f32) -> [f64; 2] {
     let step = Step { texture: 0.3, ..step() };
@@ -64,7 +61,7 @@ fn of_noise(pipeline: &mut Pipeline, scene: &Scene, skew: f32) -> [f64; 2] {
     let terms: Vec<f32> = pipeline.read(Slot::Terms, term_count(3)).unwrap();
     let found: Vec<f32> = pipeline.read(Slot::Pyramid, d_coverage.len()).unwrap();
     assert!(loss > 0.01);
-    [distance(&[terms[TEXTURE]], &[loss]), distance(&found, &d_coverage)]
+    [distance(&[terms[Term::Texture.at(3)]], &[loss]), distance(&found, &d_coverage)]
 }
 
 #[test]
@@ -82,7 +79,7 @@ fn the_loss_of_noise_and_its_gradient_agree() {
     let none = Scene { texture: None, ..styled(64, 0) };
     pipeline.load(&none).unwrap();
     pipeline.run("sample", "add_terms", &[Step { texture: 0.3, ..step() }], 0).unwrap();
-    assert_eq!(pipeline.read::<f32>(Slot::Terms, term_count(3)).unwrap()[TEXTURE], 0.0);
+    assert_eq!(pipeline.read::<f32>(Slot::Terms, term_count(3)).unwrap()[Term::Texture.at(3)], 0.0);
 }
 
 /// Terms, gradients to the pictures and to the points.
@@ -116,7 +113,7 @@ fn whole_iterations_agree_with_other_masks_too() {
         let off = |other: &(Vec<f32>, Vec<f32>, Vec<[f32; 4]>)| {
             let flat = |points: &Vec<[f32; 4]>| points.concat();
             [
-                distance(&[on_gpu.0[TEXTURE]], &[other.0[TEXTURE]]),
+                distance(&[on_gpu.0[Term::Texture.at(3)]], &[other.0[Term::Texture.at(3)]]),
                 distance(&on_gpu.1, &other.1),
                 distance(&flat(&on_gpu.2), &flat(&other.2)),
             ]
@@ -128,7 +125,7 @@ fn whole_iterations_agree_with_other_masks_too() {
         let other = off(&evaluate(&mut cpu, &Step { texture: 0.21, ..step }));
         assert!(other[0] > 1e-3 && other[1] > 2e-3 && other[2] > 2e-3, "another weight is seen: {other:?}");
         assert_eq!(evaluate(&mut gpu, &step), on_gpu, "the same bits again");
-        let loss = on_gpu.0[TEXTURE];
+        let loss = on_gpu.0[Term::Texture.at(3)];
         assert_ne!(first.replace(loss), Some(loss), "another mask is another loss");
     }
 }

@@ -3,7 +3,8 @@
 
 use super::RasterKind;
 use super::Work;
-use super::engine::{Engine, OTHER_TERMS, Picture, Place, Scene, SceneView, State, Step, Tally, term_count};
+use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
+use super::term::Term;
 use crate::objective::{
     Guidance, MultiscaleMse, Neighbours, Pyramid, Texture, TextureLoss, clearance_and_gradient, elastic_and_gradient,
     length_and_gradient, surface_and_gradient,
@@ -237,15 +238,22 @@ impl CpuEngine {
         let jerk = jerk.energy_and_gradient(points, step.jerk_position, step.jerk_width, d_points);
         let strand = strand.as_mut().map_or([0.0; 4], |strand| strand.evaluate(points, step, d_points));
         let [bending, tightness, evenness, clearance] = strand;
+        let texture = self.views.iter().map(|view| view.guidance_loss).sum();
 
         let count = self.views.len();
         for (term, view) in terms[1..].iter_mut().zip(&self.views) {
             *term = view.loss;
         }
-        let texture = self.views.iter().map(|view| view.guidance_loss).sum();
-        let others = [jerk, length, surface, texture, bending, tightness, evenness, clearance];
-        terms[count + 1..][..OTHER_TERMS.len()].copy_from_slice(&others);
-        terms[0] = terms[1..term_count(count)].iter().sum();
+        let mut set = |term: Term, loss: f32| terms[term.at(count)] = loss;
+        set(Term::Jerk, jerk);
+        set(Term::Length, length);
+        set(Term::Surface, surface);
+        set(Term::Texture, texture);
+        set(Term::Bending, bending);
+        set(Term::Tightness, tightness);
+        set(Term::Evenness, evenness);
+        set(Term::Clearance, clearance);
+        terms[0] = terms[1..].iter().sum();
     }
 
     /// The image terms' share of the gradient last evaluated.

@@ -4,6 +4,7 @@
 //! stage or topology changes, and between those asks it to [`Engine::advance`]: one iteration at a time on a processor,
 //! or many at once where a round trip is dear.
 
+use super::term::{Term, views_of};
 use super::{Adam, AdamOptions, RasterKind, Work};
 use crate::Error;
 use crate::objective::{Clearance, Elastic, Neighbours, Pyramid, Texture};
@@ -179,9 +180,9 @@ impl Tally {
 
     /// Takes note of an iteration before its step, from its row of terms and the image terms' gradient.
     pub fn note(&mut self, step: &Step, points: &[[f32; 4]], terms: &[f32], d_points_image: &[[f32; 4]]) {
-        let views = terms.len() - term_count(0);
-        let texture = terms[1 + views + TEXTURE_TERM];
-        let loss = (terms[1..=views].iter().sum::<f32>() + texture) * step.loss_scale;
+        let views = views_of(terms);
+        let texture = terms[Term::Texture.at(views.len())];
+        let loss = (views.iter().sum::<f32>() + texture) * step.loss_scale;
         if loss < self.best_loss || step.keeps_last() {
             self.best_loss = loss;
             self.best_points.clear();
@@ -202,17 +203,6 @@ pub struct Place {
     pub device: String,
     /// Why there, a sentence for people.
     pub why: String,
-}
-
-/// Loss terms that are not a view's, in their order after those.
-pub(super) const OTHER_TERMS: [&str; 8] =
-    ["jerk", "length", "surface", "texture", "bending", "tightness", "evenness", "clearance"];
-/// Which of them is the texture's.
-const TEXTURE_TERM: usize = 3;
-
-/// Number of loss terms a row: total, one a view, jerk, length, surface, texture, bending, tightness, evenness, clearance.
-pub fn term_count(views: usize) -> usize {
-    1 + views + OTHER_TERMS.len()
 }
 
 /// What an engine draws that has an entry a pixel.
@@ -243,7 +233,7 @@ pub trait Engine: Send {
     /// Replaces who may come too near whom.
     fn set_neighbours(&mut self, neighbours: Neighbours);
 
-    /// Loss terms at `points` (in the order of [`term_count`]; weighted) into `terms`, and the gradient of the total into
+    /// Loss terms at `points` (a row as in [`Term`]; weighted) into `terms`, and the gradient of the total into
     /// `d_points`. Results need not be finite; the session looks after that.
     fn evaluate<'a>(
         &'a mut self,
@@ -253,7 +243,7 @@ pub trait Engine: Send {
         d_points: &'a mut Vec<[f32; 4]>,
     ) -> Work<'a>;
 
-    /// One iteration for each of `steps`: evaluate, note, step. `terms` has a row of [`term_count`] entries for each,
+    /// One iteration for each of `steps`: evaluate, note, step. `terms` has a row as in [`Term`] for each,
     /// taken before its step.
     fn advance<'a>(
         &'a mut self,

@@ -1,6 +1,6 @@
 //! What happened in a run: the loss of every iteration, term by term, and the events.
 
-use super::engine::{OTHER_TERMS, term_count};
+use super::term::{Term, term_count};
 
 /// What kind of thing happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -40,8 +40,7 @@ pub struct Event {
 /// not be finite; such values are stored as 0.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct History {
-    /// Names of the columns: `total`, each view's, `jerk`, `length`, `surface`, `texture`, `bending`, `tightness`, `evenness`,
-    /// `clearance`.
+    /// Names of the columns: `total`, each view's, then those of [`Term::ALL`].
     pub columns: Vec<String>,
     values: Vec<f32>,
 }
@@ -63,7 +62,7 @@ impl History {
     pub(super) fn new(views: impl Iterator<Item = String>, iterations: usize) -> Self {
         let mut columns = vec!["total".to_owned()];
         columns.extend(views);
-        columns.extend(OTHER_TERMS.map(str::to_owned));
+        columns.extend(Term::ALL.map(|term| term.name().to_owned()));
         let values = Vec::with_capacity(columns.len() * iterations);
         History { columns, values }
     }

@@ -1,10 +1,11 @@
 //! The session: pulls a problem along, iteration by iteration, and decides what happens when.
 
 use super::bending::{Bender, Field};
-use super::engine::{Engine, Picture, Place, State, Step, Tally, term_count};
+use super::engine::{Engine, Picture, Place, State, Step, Tally};
 use super::handed::{fitted_size, size_within};
 use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
+use super::term::term_count;
 use super::topology::TopologyEdit;
 use super::work::wait;
 use super::{CpuEngine, Problem, Stage};
