@@ -4,7 +4,7 @@ use super::clock::now_ms;
 use super::fault::Answer;
 use super::pipeline::Pipeline;
 use super::stage::Slot;
-use crate::optimize::{Scene, State, Step, Tally};
+use crate::optimize::{Scene, SceneView, State, Step, Tally};
 use std::ops::Range;
 
 /// Runs stages up to `last` for each of `steps` from the state in the buffers on and hands over the terms and what else
@@ -14,12 +14,13 @@ async fn run(
     last: &str,
     count: u32,
     steps: &[Step],
+    ahead: &[Vec<SceneView>],
     terms: &mut [f32],
     wanted: &[(Slot, Range<usize>)],
 ) -> Answer<Option<Vec<Vec<u8>>>> {
     let row = terms.len() / steps.len().max(1) + 1;
     let begin_ms = now_ms();
-    pipeline.run("sample", last, steps, count)?;
+    pipeline.run_looking("sample", last, steps, count, ahead)?;
     let mut ranges = vec![(Slot::Terms, 0..size_of::<f32>() * row * steps.len())];
     ranges.extend_from_slice(wanted);
     let mut bytes = pipeline.read_bytes(&ranges).await?.into_iter();
@@ -49,11 +50,19 @@ pub(super) async fn evaluate(
         pipeline.write(Slot::State, points)?;
         pipeline.write(Slot::Best, &[[f32::MAX, 0.0, 0.0, 0.0]])?;
         let wanted = [(Slot::DPoints, 0..size_of_val(points))];
-        if let Some(parts) = run(pipeline, "add_terms", 0, std::slice::from_ref(step), terms, &wanted).await? {
+        if let Some(parts) = run(pipeline, "add_terms", 0, std::slice::from_ref(step), &[], terms, &wanted).await? {
             *d_points = bytemuck::pod_collect_to_vec(&parts[0]);
             return Ok(());
         }
     }
+}
+
+/// What iterations look at.
+pub(super) struct Views<'a> {
+    /// The scene's views.
+    pub now: &'a [SceneView],
+    /// Those after each iteration, as far as they are others.
+    pub ahead: &'a [Vec<SceneView>],
 }
 
 /// Iterations from `state` on, and what they leave behind; neither changes if the device fails.
@@ -62,6 +71,7 @@ pub(super) async fn advance(
     state: &mut State,
     tally: &mut Tally,
     steps: &[Step],
+    views: Views<'_>,
     terms: &mut [f32],
 ) -> Answer<()> {
     let State { points, adam } = state;
@@ -77,7 +87,12 @@ pub(super) async fn advance(
             (Slot::Best, 0..(1 + count) * vec4s),
             (Slot::GradientNorms, 0..count * size_of::<f32>()),
         ];
-        let Some(parts) = run(pipeline, "adam", adam.count, steps, terms, &wanted).await? else { continue };
+        let Some(parts) = run(pipeline, "adam", adam.count, steps, views.ahead, terms, &wanted).await? else {
+            if !views.ahead.is_empty() {
+                pipeline.set_views(views.now)?;
+            }
+            continue;
+        };
         let packed: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&parts[0]);
         points.copy_from_slice(&packed[..count]);
         adam.first.copy_from_slice(&packed[count..2 * count]);

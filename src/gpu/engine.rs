@@ -1,6 +1,6 @@
 //! The engine on a device, and what happens when the device fails.
 
-use super::calls::{advance, evaluate, fetch};
+use super::calls::{Views, advance, evaluate, fetch};
 use super::fault::{Fault, FaultKind};
 use super::pipeline::Pipeline;
 use super::stage::Slot;
@@ -28,6 +28,8 @@ pub struct GpuEngine {
     trouble: Option<Error>,
     /// What was last evaluated, to draw it again on another device.
     evaluated: Option<(Vec<[f32; 4]>, Step)>,
+    /// The views of the coming iterations, where they are others than the scene's.
+    ahead: Vec<Vec<SceneView>>,
     /// Pictures as last fetched, view by view.
     coverage: Vec<Vec<f32>>,
     d_coverage: Vec<Vec<f32>>,
@@ -58,6 +60,7 @@ impl GpuEngine {
             why,
             trouble: None,
             evaluated: None,
+            ahead: Vec::new(),
             coverage: Vec::new(),
             d_coverage: Vec::new(),
         }
@@ -100,6 +103,11 @@ impl GpuEngine {
                 let mut cpu = CpuEngine::because(&*self.why);
                 if let Some(scene) = &self.scene {
                     cpu.load(scene.clone()).done().await;
+                    let ahead = std::mem::take(&mut self.ahead);
+                    if !ahead.is_empty() {
+                        let sets = std::iter::once(scene.views.clone()).chain(ahead).collect();
+                        cpu.set_views(sets).done().await;
+                    }
                 }
                 Now::Processor(Box::new(cpu))
             }
@@ -129,6 +137,7 @@ impl Engine for GpuEngine {
     fn load(&mut self, scene: Scene) -> Work<'_> {
         let blank = || scene.views.iter().map(|view| vec![0.0; view.target.data.len()]).collect();
         (self.coverage, self.d_coverage, self.evaluated) = (blank(), blank(), None);
+        self.ahead.clear();
         Work::later(async {
             let loaded = match &mut self.now {
                 Now::Processor(cpu) => return cpu.load(scene).done().await,
@@ -153,15 +162,20 @@ impl Engine for GpuEngine {
         }
     }
 
-    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+    fn set_views(&mut self, mut sets: Vec<Vec<SceneView>>) -> Work<'_> {
         match &mut self.now {
-            Now::Processor(cpu) => cpu.set_views(views),
+            Now::Processor(cpu) => cpu.set_views(sets),
             Now::Device(pipeline) => {
+                if sets.is_empty() {
+                    return Work::Done(());
+                }
+                let views = sets.remove(0);
                 // Likewise.
                 let _ = pipeline.set_views(&views);
                 if let Some(scene) = &mut self.scene {
                     scene.views = views;
                 }
+                self.ahead = sets;
                 Work::Done(())
             }
         }
@@ -232,13 +246,26 @@ impl Engine for GpuEngine {
                     Now::Processor(cpu) => return cpu.advance(state, tally, steps, terms).done().await,
                     Now::Device(pipeline) => {
                         let count = steps.len().min(pipeline.batch());
-                        let advanced =
-                            advance(pipeline, state, tally, &steps[..count], &mut terms[..row * count]).await;
+                        let ahead = &self.ahead[..count.min(self.ahead.len())];
+                        let steps = &steps[..count];
+                        let advanced = match &self.scene {
+                            Some(scene) => {
+                                let views = Views { now: &scene.views, ahead };
+                                advance(pipeline, state, tally, steps, views, &mut terms[..row * count]).await
+                            }
+                            None => Err(pipeline.no_scene()),
+                        };
                         advanced.map(|()| count)
                     }
                 };
                 match advanced {
-                    Ok(count) => done += count,
+                    Ok(count) => {
+                        done += count;
+                        let seen = self.ahead.drain(..count.min(self.ahead.len())).next_back();
+                        if let Some((views, scene)) = seen.zip(self.scene.as_mut()) {
+                            scene.views = views;
+                        }
+                    }
                     Err(fault) => self.recover(fault).await,
                 }
             }

@@ -123,7 +123,7 @@ impl Pipeline {
         self.loaded.as_ref().ok_or_else(|| self.no_scene())
     }
 
-    fn no_scene(&self) -> super::Fault {
+    pub(super) fn no_scene(&self) -> super::Fault {
         self.device.fault(FaultKind::Lost, "no scene was loaded")
     }
 
@@ -155,9 +155,7 @@ impl Pipeline {
     /// A fault without a scene.
     pub(super) fn set_views(&mut self, views: &[SceneView]) -> Answer<()> {
         let fault = self.no_scene();
-        let Loaded { upload, buffers, .. } = self.loaded.as_mut().ok_or(fault)?;
-        upload.set_views(views);
-        buffers.write_views(&self.device, upload);
+        self.loaded.as_mut().ok_or(fault)?.set_views(&self.device, views);
         Ok(())
     }
 
@@ -219,42 +217,49 @@ impl Pipeline {
     ///
     /// # Panics
     /// If a stage's name is unknown.
-    pub fn run(&self, first: &str, last: &str, steps: &[Step], count: u32) -> Answer<()> {
-        let loaded = self.loaded()?;
-        let steps = &steps[..steps.len().min(self.batch)];
+    pub fn run(&mut self, first: &str, last: &str, steps: &[Step], count: u32) -> Answer<()> {
+        self.run_looking(first, last, steps, count, &[])
+    }
+
+    /// [`Pipeline::run`]; after iteration i the views are those of `ahead[i]`, as long as there are any.
+    pub(super) fn run_looking(
+        &mut self,
+        first: &str,
+        last: &str,
+        steps: &[Step],
+        count: u32,
+        ahead: &[Vec<SceneView>],
+    ) -> Answer<()> {
+        let fault = self.no_scene();
+        let Pipeline { device, loaded, batch, pace } = self;
+        let loaded = loaded.as_mut().ok_or(fault)?;
+        let steps = &steps[..steps.len().min(*batch)];
         let mut packed = vec![0u8; steps.len() * UNIFORM_STRIDE];
         for (i, (step, bytes)) in steps.iter().zip(packed.chunks_exact_mut(UNIFORM_STRIDE)).enumerate() {
             let step = pack(step, count + i as u32 + 1, i);
             bytes[..size_of_val(&step)].copy_from_slice(bytemuck::bytes_of(&step));
         }
-        loaded.buffers.write(&self.device, Slot::Step, 0, &packed);
+        loaded.buffers.write(device, Slot::Step, 0, &packed);
         let stages = Stage::index(first)..Stage::index(last) + 1;
-        let iterations = 0..steps.len();
-        match self.pace {
-            Pace::Stage => {
-                for i in iterations {
-                    stages.clone().for_each(|stage| self.submit(loaded, stage..stage + 1, i..i + 1));
+        let most = match pace {
+            // Writes to the views' buffers wait for submissions, not for iterations within one.
+            _ if !ahead.is_empty() => 1,
+            Pace::Stage => 1,
+            Pace::Iterations(most) => *most,
+        };
+        for from in (0..steps.len()).step_by(most) {
+            let iterations = from..steps.len().min(from + most);
+            match pace {
+                Pace::Stage => {
+                    stages.clone().for_each(|stage| loaded.submit(device, stage..stage + 1, iterations.clone()));
                 }
+                Pace::Iterations(_) => loaded.submit(device, stages.clone(), iterations),
             }
-            Pace::Iterations(most) => {
-                for from in iterations.clone().step_by(most) {
-                    self.submit(loaded, stages.clone(), from..iterations.end.min(from + most));
-                }
+            if let Some(views) = ahead.get(from) {
+                loaded.set_views(device, views);
             }
         }
         Ok(())
-    }
-
-    fn submit(&self, loaded: &Loaded, stages: Range<usize>, iterations: Range<usize>) {
-        let mut encoder = self.device.device.create_command_encoder(&Default::default());
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        for i in iterations {
-            for index in stages.clone() {
-                loaded.dispatch(&mut pass, index, &self.device.stages[index], i);
-            }
-        }
-        drop(pass);
-        self.device.queue.submit([encoder.finish()]);
     }
 }
 
@@ -263,6 +268,23 @@ const ONE_UNIFORM: u64 = 144;
 const _: () = assert!(size_of::<super::layout::Step>() == ONE_UNIFORM as usize);
 
 impl Loaded {
+    fn set_views(&mut self, device: &Device, views: &[SceneView]) {
+        self.upload.set_views(views);
+        self.buffers.write_views(device, &self.upload);
+    }
+
+    fn submit(&self, device: &Device, stages: Range<usize>, iterations: Range<usize>) {
+        let mut encoder = device.device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        for i in iterations {
+            for index in stages.clone() {
+                self.dispatch(&mut pass, index, &device.stages[index], i);
+            }
+        }
+        drop(pass);
+        device.queue.submit([encoder.finish()]);
+    }
+
     /// Adds stage `index` of iteration `i`.
     fn dispatch(&self, pass: &mut wgpu::ComputePass, index: usize, pipeline: &wgpu::ComputePipeline, i: usize) {
         let stage = &STAGES[index];

@@ -82,8 +82,9 @@ pub trait Plan {
         0
     }
 
-    /// What is fitted from iteration `iteration` on, where views change.
-    fn views_from(&self, _iteration: usize) -> Seen {
-        Seen { targets: self.targets().to_vec(), ..Seen::default() }
+    /// What is fitted from each of `iterations` on, where views change.
+    fn views_from(&self, iterations: &[usize]) -> Vec<Seen> {
+        let same = || Seen { targets: self.targets().to_vec(), ..Seen::default() };
+        iterations.iter().map(|_| same()).collect()
     }
 }

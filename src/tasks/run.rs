@@ -16,7 +16,13 @@ use crate::wire::Wire;
 pub struct Run {
     plan: Box<dyn Plan>,
     session: Session,
+    /// The iteration before which other views are due, where they change.
+    seen_until: usize,
 }
+
+/// For how many changes of views these are made at once: views of one iteration leave cores without work, and a graphics
+/// card without its batch.
+const CHANGES_AHEAD: usize = 8;
 
 impl Run {
     /// Makes the first wire and readies the fit. `progress` is told how far the start is (0 to 1) and cuts it short by
@@ -37,7 +43,8 @@ impl Run {
         // First of all: who asks for a device that is not there should not have to wait for it.
         let engine = engine(plan.settings().backend).await?;
         let problem = plan.begin(None, progress)?;
-        Ok(Run { plan: Box::new(plan), session: Session::with_engine(problem, engine)? })
+        let seen_until = plan.change_views_every();
+        Ok(Run { plan: Box::new(plan), session: Session::with_engine(problem, engine)?, seen_until })
     }
 
     /// Goes on from a checkpoint of a run of the same things: with the same settings bit for bit as if it had never been
@@ -62,7 +69,8 @@ impl Run {
         let saved = SavedRun::from_bytes(checkpoint)?.for_run(plan.targets(), plan.settings())?;
         let problem = plan.begin(Some((saved.wire().clone(), saved.iteration())), progress)?;
         let session = Session::resume_with_engine(problem, saved, engine(plan.settings().backend).await?)?;
-        Ok(Run { plan: Box::new(plan), session })
+        let seen_until = session.iteration().next_multiple_of(plan.change_views_every().max(1));
+        Ok(Run { plan: Box::new(plan), session, seen_until })
     }
 
     /// The whole state, to go on from later with the task's `resume`.
@@ -100,10 +108,14 @@ impl Run {
             return Ok(usize::MAX);
         }
         let iteration = self.session.iteration();
-        if iteration > 0 && iteration.is_multiple_of(every) {
-            self.session.set_views(self.plan.views_from(iteration))?;
+        if iteration >= self.seen_until {
+            // What stays for long need not be known before its time.
+            let changes = if every == 1 { CHANGES_AHEAD.min(self.session.total() - iteration) } else { 1 };
+            let iterations: Vec<usize> = (0..changes).map(|change| iteration + change * every).collect();
+            self.session.set_views(self.plan.views_from(&iterations))?;
+            self.seen_until = iteration + changes * every;
         }
-        Ok(every - iteration % every)
+        Ok(self.seen_until - iteration)
     }
 
     /// What the report compares the wire's views with.

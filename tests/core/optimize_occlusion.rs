@@ -72,7 +72,7 @@ fn go_on(session: &mut Session, every: usize, end: usize) {
         let i = session.iteration();
         if i > 0 && i.is_multiple_of(every) {
             let (targets, occluders) = views((i / every) as u64);
-            session.set_views(Seen { targets, occluders, ..Seen::default() }).unwrap();
+            session.set_views(vec![Seen { targets, occluders, ..Seen::default() }]).unwrap();
         }
         let left = every - i % every;
         session.step(left.min(end - i));
@@ -162,7 +162,9 @@ fn views_exchanged_on_the_way_are_those_of_a_fresh_engine() {
     session.step(17);
     let saved = session.checkpoint().without_best();
     let (targets, occluders) = views(7);
-    session.set_views(Seen { targets: targets.clone(), occluders: occluders.clone(), ..Seen::default() }).unwrap();
+    session
+        .set_views(vec![Seen { targets: targets.clone(), occluders: occluders.clone(), ..Seen::default() }])
+        .unwrap();
     session.step(1);
     let changed = Problem { targets, occluders, ..problem(1.0) };
     let mut fresh = Session::resume_with_engine(changed.clone(), saved.clone(), Box::new(CpuEngine::new())).unwrap();
@@ -172,6 +174,39 @@ fn views_exchanged_on_the_way_are_those_of_a_fresh_engine() {
     let mut other = Session::resume(Problem { occluders: Vec::new(), ..changed }, saved).unwrap();
     other.step(1);
     assert_ne!(other.wire(), session.wire());
+}
+
+#[test]
+fn views_told_ahead_are_those_exchanged_one_by_one() {
+    let seen = |turn: usize| {
+        let (targets, occluders) = views(turn as u64);
+        Seen { targets, occluders, ..Seen::default() }
+    };
+    let mut one_by_one = Session::new(problem(1.0)).unwrap();
+    go_on(&mut one_by_one, 1, 30);
+    // Across the border of the stages, however many iterations a call.
+    for (told, steps) in [(1, 1), (7, 7), (7, 2), (29, 29)] {
+        let mut session = Session::new(problem(1.0)).unwrap();
+        session.step(1);
+        let mut known = 1;
+        while session.iteration() < 30 {
+            if session.iteration() == known {
+                let next = known..(known + told).min(30);
+                session.set_views(next.clone().map(seen).collect()).unwrap();
+                known = next.end;
+            }
+            session.step(steps.min(known - session.iteration()));
+        }
+        assert_eq!((session.wire(), session.history()), (one_by_one.wire(), one_by_one.history()), "{told} told");
+        assert_eq!(session.best(), one_by_one.best());
+    }
+    // One of them that cannot be leaves all as it was.
+    let mut session = Session::new(problem(1.0)).unwrap();
+    session.step(2);
+    let before = session.problem().clone();
+    let wrong = Seen { occluders: Vec::new(), targets: views(1).0[..1].to_vec(), ..Seen::default() };
+    assert!(matches!(session.set_views(vec![seen(1), wrong]), Err(Error::Pictures { .. })));
+    assert_eq!(session.problem(), &before);
 }
 
 #[test]
@@ -200,6 +235,6 @@ fn occluders_that_do_not_fit_are_refused() {
     session.step(2);
     let (targets, mut occluders) = views(3);
     occluders[0].depth.data[0] = f32::NAN;
-    assert!(session.set_views(Seen { targets, occluders, ..Seen::default() }).is_err());
+    assert!(session.set_views(vec![Seen { targets, occluders, ..Seen::default() }]).is_err());
     assert_eq!(session.problem(), &fine);
 }

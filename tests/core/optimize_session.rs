@@ -163,7 +163,7 @@ impl Engine for Wrapped {
     fn set_target(&mut self, view: usize, ink: &[f32]) {
         self.inner.set_target(view, ink);
     }
-    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+    fn set_views(&mut self, views: Vec<Vec<SceneView>>) -> Work<'_> {
         self.inner.set_views(views)
     }
     fn set_planes(&mut self, planes: Vec<[f32; 4]>) {
@@ -437,12 +437,12 @@ fn targets_can_be_exchanged_on_the_way() {
     let seen = |targets: &[Target]| Seen { targets: targets.to_vec(), ..Seen::default() };
     let mut session = Session::new(problem.clone()).unwrap();
     session.step(10);
-    assert!(matches!(session.set_views(seen(&others[..2])), Err(Error::Pictures { .. })), "fewer of them");
+    assert!(matches!(session.set_views(vec![seen(&others[..2])]), Err(Error::Pictures { .. })), "fewer of them");
     let mut bright = others.clone();
     bright[1].ink.data[0] = 2.0;
-    assert!(session.set_views(seen(&bright)).is_err(), "ink that is none");
+    assert!(session.set_views(vec![seen(&bright)]).is_err(), "ink that is none");
     assert_eq!(session.problem().targets, problem.targets, "what is refused changes nothing");
-    session.set_views(seen(&others)).unwrap();
+    session.set_views(vec![seen(&others)]).unwrap();
     assert_eq!(session.best(), session.wire(), "losses so far are no measure any more");
     session.step(1);
     // The same as a session of those targets from there.

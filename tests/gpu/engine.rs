@@ -99,7 +99,7 @@ fn wires_round_solids_agree_before_and_after_views_and_planes_change() {
     let results = engines.map(|engine| {
         wait(engine.load(first.clone()).done());
         let mut found = vec![evaluate_loaded(engine, &wire, 3, &step())];
-        wait(engine.set_views(views.clone()).done());
+        wait(engine.set_views(vec![views.clone()]).done());
         found.push(evaluate_loaded(engine, &wire, 3, &step()));
         engine.set_planes(second.planes.clone());
         found.push(evaluate_loaded(engine, &wire, 3, &step()));
@@ -393,6 +393,32 @@ fn the_same_bits_every_time_whatever_the_batch() {
 }
 
 #[test]
+fn views_told_ahead_are_seen_in_their_iteration_whatever_the_batch() {
+    let Some(device) = device() else { return };
+    let wire = random_wire(40, 6);
+    let looked = |engine: &mut dyn Engine, told: usize| {
+        let sets: Vec<_> =
+            (0..5).map(|ink| enclosed(scene(&wire, &views(48), 2, Pyramid::AveragePool, ink), ink).views).collect();
+        wait(engine.load(scene(&wire, &views(48), 2, Pyramid::AveragePool, 9)).done());
+        wait(engine.set_views(sets[..told].to_vec()).done());
+        let mut state = State { points: points(&wire), adam: Adam::new(40) };
+        let mut tally = Tally::new(40);
+        let mut terms = vec![0.0; 7 * term_count(3)];
+        let steps = std::array::from_fn::<_, 7, _>(|i| Step { new_views: (1..told).contains(&i), ..step() });
+        wait(engine.advance(&mut state, &mut tally, &steps, &mut terms).done());
+        assert!(engine.trouble().is_none(), "{:?}", engine.trouble());
+        (state, tally, terms)
+    };
+    let gpu = looked(&mut engine_of(&device, 7), 5);
+    assert!(gpu == looked(&mut engine_of(&device, 3), 5) && gpu == looked(&mut engine_of(&device, 1), 5));
+    let cpu = looked(&mut CpuEngine::new(), 5);
+    let off = distance(&gpu.2, &cpu.2);
+    assert!(off <= 3.0 * LOSS, "{off:.1e}");
+    let fewer = looked(&mut CpuEngine::new(), 4);
+    assert!(distance(&gpu.2, &fewer.2) > 3.0 * LOSS, "the last set is seen");
+}
+
+#[test]
 fn lists_that_run_over_are_made_longer() {
     let Some(device) = device() else { return };
     // A few pieces right across a large picture: many cells each.
@@ -423,7 +449,7 @@ impl Engine for Crooked {
     fn set_target(&mut self, view: usize, ink: &[f32]) {
         self.0.set_target(view, ink);
     }
-    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
+    fn set_views(&mut self, views: Vec<Vec<SceneView>>) -> Work<'_> {
         self.0.set_views(views)
     }
     fn set_planes(&mut self, planes: Vec<[f32; 4]>) {

@@ -105,8 +105,8 @@ fn whole_iterations_agree_with_other_masks_too() {
             let mut views = scene.views.clone();
             views[0].texture_mask = views[2].texture_mask.clone();
             views[2].texture_mask = None;
-            wait(cpu.set_views(views.clone()).done());
-            wait(gpu.set_views(views).done());
+            wait(cpu.set_views(vec![views.clone()]).done());
+            wait(gpu.set_views(vec![views]).done());
         }
         let (on_cpu, on_gpu) = (evaluate(&mut cpu, &step), evaluate(&mut gpu, &step));
         assert!(gpu.trouble().is_none(), "{:?}", gpu.trouble());

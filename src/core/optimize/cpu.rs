@@ -13,6 +13,7 @@ use crate::parallel;
 use crate::raster::{BandRaster, ExactRaster, Raster};
 use crate::view::{Camera, Image, Occluder, drop_hidden};
 use crate::wire::{Jerk, LinearMap, Nodes, Stroke};
+use std::collections::VecDeque;
 
 /// One view's share of an iteration, with its buffers.
 struct ViewEngine {
@@ -142,6 +143,8 @@ pub struct CpuEngine {
     d_points_image: Vec<[f32; 4]>,
     d_points: Vec<[f32; 4]>,
     why: Option<String>,
+    /// The views of the coming iterations, where they are others than now.
+    ahead: VecDeque<Vec<SceneView>>,
 }
 
 /// The part of a scene that is about the curve.
@@ -171,7 +174,7 @@ impl Strand {
 
     /// Bending, tightness, evenness, clearance; adds their gradient to `d_points`.
     fn evaluate(&mut self, points: &[[f32; 4]], step: &Step, d_points: &mut [[f32; 4]]) -> [f32; 4] {
-        if !step.keeps_last() {
+        if !step.is_of_strand() {
             return [0.0; 4];
         }
         let Strand { nodes, neighbours, values, d_values } = self;
@@ -256,6 +259,13 @@ impl CpuEngine {
         terms[0] = terms[1..].iter().sum();
     }
 
+    /// Turns to the next views, if there are any.
+    fn look(&mut self) {
+        if let Some(views) = self.ahead.pop_front() {
+            self.views.iter_mut().zip(views).for_each(|(engine, view)| engine.look(view));
+        }
+    }
+
     /// The image terms' share of the gradient last evaluated.
     pub fn d_points_image(&self) -> &[[f32; 4]] {
         &self.d_points_image
@@ -269,6 +279,7 @@ impl Engine for CpuEngine {
         self.views = views.into_iter().map(engine).collect();
         let strand = nodes.map(|nodes| Strand::new(nodes, neighbours));
         self.scene = Some(Curve { sampling, strokes, jerk, planes, strand });
+        self.ahead.clear();
         Work::Done(())
     }
 
@@ -276,8 +287,9 @@ impl Engine for CpuEngine {
         self.views[view].target.data.copy_from_slice(ink);
     }
 
-    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_> {
-        self.views.iter_mut().zip(views).for_each(|(engine, view)| engine.look(view));
+    fn set_views(&mut self, sets: Vec<Vec<SceneView>>) -> Work<'_> {
+        self.ahead = sets.into();
+        self.look();
         Work::Done(())
     }
 
@@ -317,6 +329,7 @@ impl Engine for CpuEngine {
             self.evaluate_now(&state.points, step, terms, &mut d_points);
             tally.note(step, &state.points, terms, &self.d_points_image);
             state.step(step, &d_points);
+            self.look();
         }
         self.d_points = d_points;
         Work::Done(())

@@ -108,12 +108,20 @@ pub struct Step {
     pub elastic: Elastic<f32>,
     /// What strands too near each other cost.
     pub clearance: Clearance<f32>,
+    /// Whether its views are others than those of the iteration before: losses so far are no measure for it.
+    pub new_views: bool,
 }
 
 impl Step {
-    /// Whether the last wire is the best one: losses of pictures alone say little of a wire that is to be more than that.
-    pub fn keeps_last(&self) -> bool {
+    /// Whether strands bend and take room.
+    pub fn is_of_strand(&self) -> bool {
         self.elastic.is_on() || self.clearance.weight > 0.0
+    }
+
+    /// Whether the last wire is the best one: losses of pictures alone say little of a wire that is to be more than that,
+    /// or of one that is looked at from other sides every time.
+    pub fn keeps_last(&self) -> bool {
+        self.is_of_strand() || self.new_views
     }
 }
 
@@ -223,9 +231,9 @@ pub trait Engine: Send {
     /// Replaces the target of view `view`, of unchanged size.
     fn set_target(&mut self, view: usize, ink: &[f32]);
 
-    /// Replaces all views by as many others of the same sizes; what hides what may come and go. Cheap enough to be done
-    /// before every iteration.
-    fn set_views(&mut self, views: Vec<SceneView>) -> Work<'_>;
+    /// Replaces all views by as many others of the same sizes; what hides what may come and go. The first of `sets` counts
+    /// at once, each other one after one iteration more, and the last stays.
+    fn set_views(&mut self, sets: Vec<Vec<SceneView>>) -> Work<'_>;
 
     /// Replaces the planes that samples are pulled to by as many others.
     fn set_planes(&mut self, planes: Vec<[f32; 4]>);

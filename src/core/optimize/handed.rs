@@ -2,36 +2,53 @@
 
 use super::bending::Bender;
 use super::engine::{Scene, SceneView};
-use super::{Seen, Session, Stage};
+use super::{Problem, Seen, Session, Stage};
 use crate::objective::Neighbours;
-use crate::view::{Image, Target};
+use crate::view::{Image, Occluder, Target};
 use crate::wire::Nodes;
 use crate::{Error, Result};
 
 impl Session {
-    /// Looks at something else from here on: as many targets as before, on the same scale. Losses so far are no measure for
-    /// it, so the best wire is looked for anew. Where sizes stay and no target bends that is cheap enough to be done before
-    /// every iteration.
+    /// Looks at something else from here on: as many targets as before, on the same scale. The first of `seen` counts at
+    /// once, each other one after one iteration more, and the last stays. Losses so far are no measure for them, so the best
+    /// wire is looked for anew. Where sizes stay and no target bends that is cheap enough to be done before every iteration.
     ///
     /// # Errors
     /// As [`Problem::check`], and [`Error::Pictures`] for another number of targets; then nothing has changed.
-    pub fn set_views(&mut self, seen: Seen) -> Result<()> {
-        if seen.targets.len() != self.problem.targets.len() {
-            let problem = format!("{} targets for a fit of {}", seen.targets.len(), self.problem.targets.len());
-            return Err(Error::Pictures { problem, remedy: "give one for each view".into() });
+    pub fn set_views(&mut self, seen: Vec<Seen>) -> Result<()> {
+        for seen in &seen {
+            if seen.targets.len() != self.problem.targets.len() {
+                let problem = format!("{} targets for a fit of {}", seen.targets.len(), self.problem.targets.len());
+                return Err(Error::Pictures { problem, remedy: "give one for each view".into() });
+            }
+            seen.check()?;
         }
+        self.ahead = seen.into();
+        self.look();
+        self.unseen = true;
+        Ok(())
+    }
+
+    /// Turns to what is to be seen next, if there is anything.
+    pub(super) fn look(&mut self) {
+        let Some(seen) = self.ahead.pop_front() else { return };
         let before = self.problem.look_at(seen);
-        if let Err(error) = self.problem.check() {
-            self.problem.look_at(before);
-            return Err(error);
-        }
         let stage = self.stage();
         let mut sizes = before.targets.iter().zip(&self.problem.targets);
         let same_sizes = sizes.all(|(before, after)| fitted_size(before, stage) == fitted_size(after, stage));
-        self.unseen = true;
         self.loaded &= same_sizes && self.problem.recipe.bending.is_none();
         self.forget_best();
-        Ok(())
+    }
+
+    /// Whether the engine can be told of all that is to be seen: as many pixels as now, and none that bend.
+    pub(super) fn is_foreseen(&self) -> bool {
+        if self.ahead.is_empty() {
+            return true;
+        }
+        let stage = self.stage();
+        let sizes = |targets: &[Target]| targets.iter().map(|target| fitted_size(target, stage)).collect::<Vec<_>>();
+        let now = sizes(&self.problem.targets);
+        self.problem.recipe.bending.is_none() && self.ahead.iter().all(|seen| sizes(&seen.targets) == now)
     }
 
     /// Hands the present stage, wire and targets to the engine.
@@ -40,7 +57,7 @@ impl Session {
         if let Some(bender) = self.bender.take() {
             self.fields = bender.into_fields();
         }
-        let mut inks = self.fitted_inks();
+        let mut inks = self.fitted_inks(&self.problem.targets);
         if let Some(bending) = &self.problem.recipe.bending {
             let bender = Bender::new(bending.clone(), &inks, std::mem::take(&mut self.fields));
             for (v, ink) in inks.iter_mut().enumerate() {
@@ -48,6 +65,8 @@ impl Session {
             }
             self.bender = Some(bender);
         }
+        let Problem { targets, occluders, texture_masks, .. } = &self.problem;
+        let views = self.views(targets, occluders, texture_masks, inks);
         let scene = Scene {
             raster: stage.raster,
             pyramid: self.problem.recipe.pyramid,
@@ -55,14 +74,26 @@ impl Session {
             texture: self.problem.texture.clone(),
             nodes: self.nodes(),
             neighbours: self.neighbours(),
-            ..Scene::new(&self.wire, stage.samples_per_span, self.views(inks))
+            ..Scene::new(&self.wire, stage.samples_per_span, views)
         };
         self.engine.load(scene).done().await;
-        (self.loaded, self.unseen) = (true, false);
+        self.loaded = true;
+        self.unseen = !self.ahead.is_empty();
+    }
+
+    /// What the engine is told of what is to be seen from here on.
+    pub(super) fn view_sets(&self) -> Vec<Vec<SceneView>> {
+        let set = |targets, occluders, masks| self.views(targets, occluders, masks, self.fitted_inks(targets));
+        let Problem { targets, occluders, texture_masks, .. } = &self.problem;
+        let now = set(targets, occluders, texture_masks);
+        let foreseen = if self.is_foreseen() { self.ahead.len() } else { 0 };
+        let ahead = self.ahead.iter().take(foreseen);
+        let ahead = ahead.map(|seen| set(&seen.targets, &seen.occluders, &seen.texture_masks));
+        std::iter::once(now).chain(ahead).collect()
     }
 
     /// Every target at the size that is fitted, not bent.
-    pub(super) fn fitted_inks(&self) -> Vec<Image> {
+    fn fitted_inks(&self, targets: &[Target]) -> Vec<Image> {
         let fitted = |target: &Target| {
             let (width, height) = fitted_size(target, self.stage());
             if (width, height) == (target.ink.width, target.ink.height) {
@@ -71,14 +102,20 @@ impl Session {
                 target.ink.resized(width, height)
             }
         };
-        self.problem.targets.iter().map(fitted).collect()
+        targets.iter().map(fitted).collect()
     }
 
-    /// The views with `inks` to show.
-    pub(super) fn views(&self, inks: Vec<Image>) -> Vec<SceneView> {
+    /// Views that see this, with `inks` to show.
+    fn views(
+        &self,
+        targets: &[Target],
+        occluders: &[Occluder],
+        texture_masks: &[Image],
+        inks: Vec<Image>,
+    ) -> Vec<SceneView> {
         let view = |(v, (target, ink)): (usize, (&Target, Image))| {
             let (width, height) = (ink.width, ink.height);
-            let occluder = self.problem.occluders.get(v).map(|occluder| {
+            let occluder = occluders.get(v).map(|occluder| {
                 if (width, height) == (occluder.depth.width, occluder.depth.height) {
                     occluder.clone()
                 } else {
@@ -86,10 +123,10 @@ impl Session {
                 }
             });
             let camera = target.view.with_size(width, height).camera();
-            let texture_mask = self.problem.texture_masks.get(v).map(|mask| mask.resized(width, height));
+            let texture_mask = texture_masks.get(v).map(|mask| mask.resized(width, height));
             SceneView { occluder, texture_mask, ..SceneView::new(camera, ink, self.problem.view_weight(v) as f32) }
         };
-        self.problem.targets.iter().zip(inks).enumerate().map(view).collect()
+        targets.iter().zip(inks).enumerate().map(view).collect()
     }
 
     /// Planes that touch the surface, if there is one to be kept on, next to the samples at `plane_points`.

@@ -105,35 +105,7 @@ impl Problem {
     /// [`Error::Pictures`] without views or with another number of occluders, [`Error::Picture`] for ink or depths that do
     /// not fit their view or are out of range, [`Error::Setting`] for widths, weights or recipe entries out of range.
     pub fn check(&self) -> Result<()> {
-        if self.targets.is_empty() {
-            return Err(Error::Pictures {
-                problem: "there is no view to fit".into(),
-                remedy: "give at least one picture".into(),
-            });
-        }
-        for Target { view, ink } in &self.targets {
-            let refuse = |problem: String, remedy: &str| Err(Error::picture(&view.name, problem, remedy));
-            let (width, height) = (ink.width, ink.height);
-            if width == 0 || height == 0 || width.max(height) > LARGEST_SIDE_PX {
-                return refuse(format!("{width} x {height} pixels"), "give a picture of 1 to 8192 pixels a side");
-            }
-            if ink.data.len() != width * height || (view.width_px, view.height_px) != (width, height) {
-                return refuse(
-                    format!("{} values of ink for a view of {} x {}", ink.data.len(), view.width_px, view.height_px),
-                    "give ink of the view's size",
-                );
-            }
-            if !ink.data.iter().all(|value| (0.0..=1.0).contains(value)) {
-                return refuse("some ink is not from 0 to 1".into(), "give ink from 0 (ground) to 1");
-            }
-            let camera = view.camera::<f64>();
-            let scale = camera.pixels_per_world(&[0.0; 4]);
-            let seen = camera.project(&[0.1, 0.2, 0.3, 0.1]);
-            if !(scale.is_finite() && scale > 0.0 && seen.iter().all(|c| c.is_finite())) {
-                return refuse("the camera shows nothing".into(), "place eye and target apart, with up across");
-            }
-        }
-        self.check_occluders()?;
+        check_seen(&self.targets, &self.occluders, &self.texture_masks)?;
         self.check_texture()?;
         if let Some(surface) = &self.surface {
             surface.check()?;
@@ -162,50 +134,86 @@ impl Problem {
             let problem = format!("its weight is {}", self.texture_weight);
             return Err(Error::setting("texture", problem, "give a weight from 0 up"));
         }
-        let (count, views) = (self.texture_masks.len(), self.targets.len());
-        if count != 0 && count != views {
-            let problem = format!("{count} texture masks for {views} views");
-            return Err(Error::Pictures { problem, remedy: "give one for each view, or none at all".into() });
-        }
-        for (mask, Target { view, ink }) in self.texture_masks.iter().zip(&self.targets) {
-            let fits = (mask.width, mask.height) == (ink.width, ink.height) && mask.data.len() == ink.data.len();
-            if !fits || !mask.data.iter().all(|weight| (0.0..=1.0).contains(weight)) {
-                let problem = "its texture mask is of another size or not from 0 to 1";
-                return Err(Error::picture(&view.name, problem, "give a weight for each pixel of the view"));
-            }
-        }
         Ok(())
     }
+}
 
-    fn check_occluders(&self) -> Result<()> {
-        let (count, views) = (self.occluders.len(), self.targets.len());
-        if count != 0 && count != views {
-            let problem = format!("{count} occluders for {views} views");
-            return Err(Error::Pictures { problem, remedy: "give one for each view, or none at all".into() });
-        }
-        for (Occluder { depth, steepness, bias_world }, Target { view, ink }) in
-            self.occluders.iter().zip(&self.targets)
-        {
-            let (width, height) = (ink.width, ink.height);
-            if (depth.width, depth.height) != (width, height) || depth.data.len() != width * height {
-                let problem = format!("{} depths for a view of {width} x {height}", depth.data.len());
-                return Err(Error::picture(&view.name, problem, "give a depth for each pixel of the view"));
-            }
-            // NaN compares false.
-            if !depth.data.iter().all(|&z| z > f32::NEG_INFINITY) {
-                let remedy = "give distances from the eye, and infinity for the ground";
-                return Err(Error::picture(&view.name, "some depths are no distances", remedy));
-            }
-            if !(steepness.is_finite() && *steepness > 0.0 && bias_world.is_finite()) {
-                return Err(Error::setting(
-                    "visibility",
-                    format!("steepness {steepness}, bias {bias_world}"),
-                    "give a steepness above 0 and a finite bias",
-                ));
-            }
-        }
-        Ok(())
+impl Seen {
+    /// Refuses what cannot be looked at.
+    ///
+    /// # Errors
+    /// As [`Problem::check`].
+    pub(super) fn check(&self) -> Result<()> {
+        check_seen(&self.targets, &self.occluders, &self.texture_masks)
     }
+}
+
+fn check_seen(targets: &[Target], occluders: &[Occluder], texture_masks: &[Image]) -> Result<()> {
+    if targets.is_empty() {
+        return Err(Error::Pictures {
+            problem: "there is no view to fit".into(),
+            remedy: "give at least one picture".into(),
+        });
+    }
+    for Target { view, ink } in targets {
+        let refuse = |problem: String, remedy: &str| Err(Error::picture(&view.name, problem, remedy));
+        let (width, height) = (ink.width, ink.height);
+        if width == 0 || height == 0 || width.max(height) > LARGEST_SIDE_PX {
+            return refuse(format!("{width} x {height} pixels"), "give a picture of 1 to 8192 pixels a side");
+        }
+        if ink.data.len() != width * height || (view.width_px, view.height_px) != (width, height) {
+            return refuse(
+                format!("{} values of ink for a view of {} x {}", ink.data.len(), view.width_px, view.height_px),
+                "give ink of the view's size",
+            );
+        }
+        if !ink.data.iter().all(|value| (0.0..=1.0).contains(value)) {
+            return refuse("some ink is not from 0 to 1".into(), "give ink from 0 (ground) to 1");
+        }
+        let camera = view.camera::<f64>();
+        let scale = camera.pixels_per_world(&[0.0; 4]);
+        let seen = camera.project(&[0.1, 0.2, 0.3, 0.1]);
+        if !(scale.is_finite() && scale > 0.0 && seen.iter().all(|c| c.is_finite())) {
+            return refuse("the camera shows nothing".into(), "place eye and target apart, with up across");
+        }
+    }
+    let (count, views) = (occluders.len(), targets.len());
+    if count != 0 && count != views {
+        let problem = format!("{count} occluders for {views} views");
+        return Err(Error::Pictures { problem, remedy: "give one for each view, or none at all".into() });
+    }
+    for (Occluder { depth, steepness, bias_world }, Target { view, ink }) in occluders.iter().zip(targets) {
+        let (width, height) = (ink.width, ink.height);
+        if (depth.width, depth.height) != (width, height) || depth.data.len() != width * height {
+            let problem = format!("{} depths for a view of {width} x {height}", depth.data.len());
+            return Err(Error::picture(&view.name, problem, "give a depth for each pixel of the view"));
+        }
+        // NaN compares false.
+        if !depth.data.iter().all(|&z| z > f32::NEG_INFINITY) {
+            let remedy = "give distances from the eye, and infinity for the ground";
+            return Err(Error::picture(&view.name, "some depths are no distances", remedy));
+        }
+        if !(steepness.is_finite() && *steepness > 0.0 && bias_world.is_finite()) {
+            return Err(Error::setting(
+                "visibility",
+                format!("steepness {steepness}, bias {bias_world}"),
+                "give a steepness above 0 and a finite bias",
+            ));
+        }
+    }
+    let (count, views) = (texture_masks.len(), targets.len());
+    if count != 0 && count != views {
+        let problem = format!("{count} texture masks for {views} views");
+        return Err(Error::Pictures { problem, remedy: "give one for each view, or none at all".into() });
+    }
+    for (mask, Target { view, ink }) in texture_masks.iter().zip(targets) {
+        let fits = (mask.width, mask.height) == (ink.width, ink.height) && mask.data.len() == ink.data.len();
+        if !fits || !mask.data.iter().all(|weight| (0.0..=1.0).contains(weight)) {
+            let problem = "its texture mask is of another size or not from 0 to 1";
+            return Err(Error::picture(&view.name, problem, "give a weight for each pixel of the view"));
+        }
+    }
+    Ok(())
 }
 
 fn world_per_px(targets: &[Target], size_px: f64) -> f64 {

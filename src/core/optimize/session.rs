@@ -8,12 +8,13 @@ use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::term::term_count;
 use super::topology::TopologyEdit;
 use super::work::wait;
-use super::{CpuEngine, Problem, Stage};
+use super::{CpuEngine, Problem, Seen, Stage};
 use crate::objective::{Displacement, bend_ink};
 use crate::rng::Rng;
 use crate::view::Image;
 use crate::wire::{Form, MAX_COORDINATE, Wire};
 use crate::{Error, Result};
+use std::collections::VecDeque;
 
 /// Small pictures in which places that lack ink are looked for.
 const LACK_SIZE_PX: usize = 64;
@@ -53,6 +54,8 @@ pub struct Session {
     pub(super) loaded: bool,
     /// Whether the engine still has to take over the problem's views.
     pub(super) unseen: bool,
+    /// What is to be seen after each iteration to come, as far as it is something else.
+    pub(super) ahead: VecDeque<Seen>,
 }
 
 impl Session {
@@ -108,6 +111,7 @@ impl Session {
             terms: Vec::new(),
             loaded: false,
             unseen: false,
+            ahead: VecDeque::new(),
             px_256: problem.world_per_px(256.0),
             problem,
         })
@@ -245,11 +249,6 @@ impl Session {
         } else if !self.loaded {
             self.load().await;
         } else {
-            if self.unseen {
-                let views = self.views(self.fitted_inks());
-                self.engine.set_views(views).done().await;
-                self.unseen = false;
-            }
             if planes_due {
                 let planes = self.planes();
                 self.engine.set_planes(planes);
@@ -258,6 +257,11 @@ impl Session {
                 let neighbours = self.neighbours();
                 self.engine.set_neighbours(neighbours);
             }
+        }
+        if self.unseen {
+            let sets = self.view_sets();
+            self.engine.set_views(sets).done().await;
+            self.unseen = false;
         }
         let stage = &self.problem.recipe.stages[index];
         let restart_at = |share: &f64| start + (share * stage.iterations as f64).round() as usize;
@@ -277,7 +281,8 @@ impl Session {
     /// How many iterations can be done before anything else is due.
     fn batch(&self, end: usize) -> usize {
         let total = self.total();
-        let limit = (self.iteration + self.engine.batch().max(1)).min(end);
+        let most = if self.is_foreseen() { self.engine.batch().max(1) } else { 1 };
+        let limit = (self.iteration + most).min(end);
         let recipe = &self.problem.recipe;
         let mut stage_start = 0;
         let is_due = |i: usize| {
@@ -306,6 +311,7 @@ impl Session {
         self.steps.clear();
         for (k, i) in iterations.clone().enumerate() {
             let mut step = self.numbers(i);
+            step.new_views = k > 0 && k <= self.ahead.len();
             if window > 0 {
                 step.gradient_share = 1.0 / (self.gradient_count + k as u32 + 1).min(window) as f32;
             }
@@ -323,6 +329,8 @@ impl Session {
             state.is_finite() && state.points.iter().flatten().all(|c| f64::from(c.abs()) <= MAX_COORDINATE)
         };
         self.iteration = iterations.end;
+        self.unseen |= !self.is_foreseen();
+        (0..batch).for_each(|_| self.look());
         if !self.terms.iter().all(|term| term.is_finite()) || !usable(&self.state) {
             self.state.copy_from(&self.good);
             self.tally.copy_from(&self.before.1);
@@ -349,6 +357,7 @@ impl Session {
         let position = (recipe.position_rate_px.at(progress) * factor) as f32;
         let width = (recipe.width_rate_px.at(progress) * factor) as f32;
         Step {
+            new_views: false,
             rates: [position, position, position, width],
             adam: recipe.adam,
             level_ratio: recipe.level_ratio.at(progress) as f32,

@@ -9,6 +9,7 @@ use crate::mesh::{Depths, Mesh, Nearest};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::objective::Texture;
 use crate::optimize::{Problem, Schedule, Seen, Session, Surface};
+use crate::parallel;
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
 use crate::start::{self, FillOptions, Filling, Guide, Method};
@@ -237,8 +238,8 @@ impl tasks::Plan for Plan {
         1
     }
 
-    fn views_from(&self, iteration: usize) -> Seen {
-        self.looked_at(iteration)
+    fn views_from(&self, iterations: &[usize]) -> Vec<Seen> {
+        parallel::map(iterations, 1, |&iteration| self.looked_at(iteration))
     }
 }
 

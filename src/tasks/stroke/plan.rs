@@ -189,8 +189,12 @@ impl tasks::Plan for Plan {
         self.settings.new_sides
     }
 
-    fn views_from(&self, iteration: usize) -> Seen {
-        let targets = self.first.as_ref().map_or_else(|| self.targets.clone(), |first| self.fitted(first, iteration));
-        Seen { targets, ..Seen::default() }
+    fn views_from(&self, iterations: &[usize]) -> Vec<Seen> {
+        let fitted = |&iteration| {
+            let first = self.first.as_ref();
+            let targets = first.map_or_else(|| self.targets.clone(), |first| self.fitted(first, iteration));
+            Seen { targets, ..Seen::default() }
+        };
+        iterations.iter().map(fitted).collect()
     }
 }
