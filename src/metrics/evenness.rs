@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::mesh::Mesh;
-use crate::start::filling::{Node, SAME_SIDE, Strands, Surface, foot, samples};
+use crate::start::filling::{Node, RefinedMesh, SAME_SIDE, Strands, foot, samples};
 use glam::DVec3;
 
 /// Places of the surface that are asked how far the curve is.
@@ -42,7 +42,7 @@ impl Evenness {
     /// # Errors
     /// [`crate::Error::Setting`] if the spacing is too fine to be measured on this mesh.
     pub fn measure(mesh: &Mesh, points: &[[f64; 3]], spacing_world: f64) -> Result<Evenness> {
-        let surface = Surface::new(mesh, spacing_world / 2.0)?;
+        let surface = RefinedMesh::new(mesh, spacing_world / 2.0)?;
         let strands = Strands::new(&[laid_on(&surface, points, spacing_world)]);
         let area = surface.area();
         let mut distances = distances(&surface, &strands, spacing_world, area);
@@ -64,7 +64,7 @@ impl Evenness {
 }
 
 /// The polyline in steps of at most an eighth of the spacing, each node with the nearest triangle.
-fn laid_on(surface: &Surface, points: &[[f64; 3]], spacing: f64) -> Vec<Node> {
+fn laid_on(surface: &RefinedMesh, points: &[[f64; 3]], spacing: f64) -> Vec<Node> {
     let centre = |t: u32| surface.corners(t).iter().sum::<DVec3>() / 3.0;
     let triangles = 0..surface.triangles.len() as u32;
     let grid = crate::start::filling::Grid::new(triangles.map(centre), spacing);
@@ -96,7 +96,7 @@ fn laid_on(surface: &Surface, points: &[[f64; 3]], spacing: f64) -> Vec<Node> {
 }
 
 /// From samples of the surface to the curve, in spacings.
-fn distances(surface: &Surface, strands: &Strands, spacing: f64, area: f64) -> Vec<f64> {
+fn distances(surface: &RefinedMesh, strands: &Strands, spacing: f64, area: f64) -> Vec<f64> {
     let grid = strands.grid(spacing);
     let all = samples(surface, area.sqrt(), SAMPLES);
     let distance = |sample: &crate::start::filling::Sample| {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use wire4d::Error;
 use wire4d::mesh::{Nearest, Shape};
 use wire4d::optimize::{
-    Checkpoint, CpuEngine, Problem, RasterKind, Recipe, Refine, Schedule, Seen, Session, Stage, Surface, TopologyEdit,
-    TopologyEvent,
+    Checkpoint, CpuEngine, Problem, RasterKind, Recipe, Refine, Schedule, Seen, Session, Stage, SurfacePull,
+    TopologyEdit, TopologyEvent,
 };
 use wire4d::rng::Rng;
 use wire4d::view::{Image, Occluder, Target, View};
@@ -62,7 +62,7 @@ fn problem(weight: f64) -> Problem {
         ..Recipe::best()
     };
     let (targets, occluders) = views(0);
-    let surface = Some(Surface { every: 4, ..Surface::new(ball(), weight) });
+    let surface = Some(SurfacePull { every: 4, ..SurfacePull::new(ball(), weight) });
     Problem { occluders, surface, ..Problem::for_drawings(wire, targets, recipe) }
 }
 

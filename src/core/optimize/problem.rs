@@ -1,6 +1,6 @@
 //! What to fit, as pure data: the first wire, what each view should show, and the recipe.
 
-use super::Surface;
+use super::SurfacePull;
 use super::recipe::Recipe;
 use crate::objective::Texture;
 use crate::view::{Image, Occluder, Target};
@@ -46,7 +46,7 @@ pub struct Problem {
     /// How much each pixel of a view counts for the texture, 0 to 1, of its target's size; empty means all count.
     pub texture_masks: Vec<Image>,
     /// What the wire is kept on, if anything.
-    pub surface: Option<Surface>,
+    pub surface: Option<SurfacePull>,
     /// Hard bounds of the width.
     pub width: WidthBounds,
     /// How to fit it.

@@ -18,8 +18,6 @@ mod zip;
 pub(super) use soup::Soup;
 pub use up::Up;
 
-use super::Mended;
-use super::mend::mend;
 use crate::{Error, Result};
 
 /// Most triangles a mesh may have.
@@ -28,16 +26,11 @@ pub const MAX_TRIANGLES: usize = 500_000;
 /// Most bytes a mesh file may have: 200 MB, half a million triangles in words.
 pub const MAX_MESH_BYTES: usize = 200_000_000;
 
-/// Reads and mends a mesh: OBJ, STL (binary or text), PLY (binary or text), 3MF, glTF or GLB with all data inside.
-/// `name` is the file's name as the person knows it; `up` the axis that points up, by default z for STL and 3MF and y for
-/// the others. Polygons are cut into triangles; a glTF is read as a viewer shows it before anything moves; colours and the
-/// like are ignored.
+/// The triangles of a file, upright, and the axis that pointed up in it.
 ///
 /// # Errors
-/// [`Error::Input`] for what is none of these or is damaged, for more than [`MAX_TRIANGLES`] or [`MAX_MESH_BYTES`], for
-/// numbers that are not finite, for what a file says it needs and is not read here, and as mending does for meshes
-/// without an area.
-pub fn read_mesh(name: &str, bytes: &[u8], up: Option<Up>) -> Result<Mended> {
+/// As [`read_mesh`](crate::read_mesh), but for what mending refuses.
+pub(super) fn read(name: &str, bytes: &[u8], up: Option<Up>) -> Result<(Soup, Up)> {
     if bytes.is_empty() {
         return Err(Error::input(name, "is empty", foreign::SAVE_AS));
     }
@@ -77,7 +70,7 @@ pub fn read_mesh(name: &str, bytes: &[u8], up: Option<Up>) -> Result<Mended> {
     };
     let up = up.unwrap_or(usual);
     up.stand(&mut soup.positions);
-    mend(name, soup, up)
+    Ok((soup, up))
 }
 
 /// Refuses a count of triangles before they are stored.
@@ -97,6 +90,7 @@ fn damaged(name: &str, problem: impl Into<String>) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::read_mesh;
 
     #[test]
     fn what_is_up_depends_on_the_kind_and_can_be_said() {

@@ -1,12 +1,12 @@
 //! The closed lines on which a function at the vertices of a surface is zero.
 
+use super::refined::{NONE, RefinedMesh};
 use super::strand::{Node, Strand};
-use super::surface::{NONE, Surface};
 use crate::geometry::DisjointSets;
 
 /// Lines between vertices where `values` are positive and where not. Every line is closed if no positive vertex lies on
 /// the rim; the others are left out.
-pub fn zero_lines(surface: &Surface, values: &[f64]) -> Vec<Strand> {
+pub fn zero_lines(surface: &RefinedMesh, values: &[f64]) -> Vec<Strand> {
     let positive = |v: u32| values[v as usize] > 0.0;
     let is_cut = |edge: u32| {
         let [a, b] = surface.edges[edge as usize].ends;
@@ -53,7 +53,7 @@ pub fn zero_lines(surface: &Surface, values: &[f64]) -> Vec<Strand> {
 
 /// Gives every part on which none or all of the values are positive a line that goes round it: parts with a rim half way
 /// in from it (`rim` holds distances to it), others where half the range of the values lies.
-pub fn cross_zero(surface: &Surface, values: &mut [f64], rim: &[f64]) {
+pub fn cross_zero(surface: &RefinedMesh, values: &mut [f64], rim: &[f64]) {
     let everywhere = ranges(surface, values);
     let alike = |v: usize| {
         let (low, high) = everywhere[surface.part_of[v] as usize];
@@ -68,7 +68,7 @@ pub fn cross_zero(surface: &Surface, values: &mut [f64], rim: &[f64]) {
 }
 
 /// Least and greatest value on every part.
-fn ranges(surface: &Surface, values: &[f64]) -> Vec<(f64, f64)> {
+fn ranges(surface: &RefinedMesh, values: &[f64]) -> Vec<(f64, f64)> {
     let mut ranges = vec![(f64::INFINITY, f64::NEG_INFINITY); surface.parts];
     for (&value, &part) in values.iter().zip(&surface.part_of) {
         let range = &mut ranges[part as usize];
@@ -78,7 +78,7 @@ fn ranges(surface: &Surface, values: &[f64]) -> Vec<(f64, f64)> {
 }
 
 /// Turns the sign of regions in which no value goes beyond `least`: there lines would run closer than they should.
-pub fn without_slivers(surface: &Surface, values: &mut [f64], least: f64) {
+pub fn without_slivers(surface: &RefinedMesh, values: &mut [f64], least: f64) {
     for sign in [1.0, -1.0] {
         let mut regions = DisjointSets::new(values.len());
         let is_in = |v: u32, values: &[f64]| (values[v as usize] > 0.0) == (sign > 0.0);
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn the_equator_of_a_sphere_is_one_line() {
-        let surface = Surface::new(&Shape::Sphere.mesh(), 0.05).unwrap();
+        let surface = RefinedMesh::new(&Shape::Sphere.mesh(), 0.05).unwrap();
         let values: Vec<f64> = surface.points.iter().map(|p| p.y + 0.3 * p.x).collect();
         let lines = zero_lines(&surface, &values);
         assert_eq!(lines.len(), 1);
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn lines_that_leave_by_the_rim_are_left_out() {
-        let surface = Surface::new(&sheet(10), 0.1).unwrap();
+        let surface = RefinedMesh::new(&sheet(10), 0.1).unwrap();
         let open: Vec<f64> = surface.points.iter().map(|p| p.x - 0.011).collect();
         assert!(zero_lines(&surface, &open).is_empty());
         let closed: Vec<f64> = surface.points.iter().map(|p| 0.3 - p.length()).collect();
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn slivers_go_and_bands_stay() {
-        let surface = Surface::new(&sheet(50), 0.02).unwrap();
+        let surface = RefinedMesh::new(&sheet(50), 0.02).unwrap();
         let bands = |height: f64| surface.points.iter().map(|p| height - (20.0 * p.length() - 6.0).powi(2)).collect();
         for (height, left) in [(0.4, 0), (2.0, 2)] {
             let mut values: Vec<f64> = bands(height);
@@ -143,7 +143,9 @@ mod tests {
 
     #[test]
     fn every_part_gets_a_line() {
-        for surface in [Surface::new(&sheet(30), 0.05), Surface::new(&Shape::Torus.mesh(), 0.05)].map(|s| s.unwrap()) {
+        for surface in
+            [RefinedMesh::new(&sheet(30), 0.05), RefinedMesh::new(&Shape::Torus.mesh(), 0.05)].map(|s| s.unwrap())
+        {
             let mut values: Vec<f64> = surface.points.iter().map(|p| 3.0 + p.x).collect();
             cross_zero(&surface, &mut values, &surface.rim_distances());
             assert!(!zero_lines(&surface, &values).is_empty());

@@ -1,10 +1,10 @@
 //! The other way to cover a mesh: places a little apart, and a short tour through those of each part. Less calm than
 //! stripes, but it asks nothing of the mesh.
 
+use super::refined::RefinedMesh;
 use super::relax::{Sample, samples};
 use super::stitch::resampled;
 use super::strand::{Grid, Node, SAME_SIDE, Strand};
-use super::surface::Surface;
 use crate::rng::Rng;
 use crate::start::tour::short_tour;
 use glam::DVec3;
@@ -20,7 +20,7 @@ const LIFT: f64 = 1.5;
 const FEWEST: usize = 4;
 
 /// A closed tour on each part that is large enough for one.
-pub fn tours(surface: &Surface, spacing: f64, seed: u64) -> Vec<Strand> {
+pub fn tours(surface: &RefinedMesh, spacing: f64, seed: u64) -> Vec<Strand> {
     let mut of_parts = vec![Vec::new(); surface.parts];
     for sample in spread(&mut samples(surface, spacing, SAMPLES_A_SQUARE), APART * spacing, seed) {
         of_parts[surface.part(sample.triangle) as usize].push(sample);

@@ -123,12 +123,12 @@ fn tangent_or(direction: DVec3, normal: DVec3, otherwise: DVec3) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::super::hierarchy::levels;
-    use super::super::surface::Surface;
+    use super::super::refined::RefinedMesh;
     use super::*;
     use crate::mesh::Shape;
 
     fn alignment(guide: &Guide) -> f64 {
-        let surface = Surface::new(&Shape::Vase.mesh(), 0.1).unwrap();
+        let surface = RefinedMesh::new(&Shape::Vase.mesh(), 0.1).unwrap();
         let field = line_field(&levels(&surface), guide, 1);
         let up = |v: usize| DVec3::Y.reject_from_normalized(surface.normals[v]);
         let sum = |of: &dyn Fn(usize) -> f64| (0..field.len()).map(of).sum::<f64>();
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_flat_sheet_gets_straight_lines() {
-        let surface = Surface::new(&super::super::testing::sheet(20), 0.05).unwrap();
+        let surface = RefinedMesh::new(&super::super::testing::sheet(20), 0.05).unwrap();
         let field = line_field(&levels(&surface), &Guide::Smooth, 4);
         assert!(field.iter().all(|direction| direction.dot(field[0]).abs() > 0.999));
     }

@@ -1,6 +1,6 @@
 //! A surface's vertices merged in pairs, again and again: what is smooth on a coarse level starts the finer one.
 
-use super::surface::Surface;
+use super::refined::RefinedMesh;
 use glam::DVec3;
 
 /// Vertices whose normals are this far apart (cosine) are not merged.
@@ -91,7 +91,7 @@ impl Level {
 }
 
 /// The levels, finest first. A level shrinks by a tenth at least.
-pub fn levels(surface: &Surface) -> Vec<Level> {
+pub fn levels(surface: &RefinedMesh) -> Vec<Level> {
     let mut pairs = Vec::with_capacity(2 * surface.edges.len());
     for edge in &surface.edges {
         let [a, b] = edge.ends;
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn levels_shrink_to_a_handful_and_stay_tied() {
-        let surface = Surface::new(&Shape::Vase.mesh(), 0.06).unwrap();
+        let surface = RefinedMesh::new(&Shape::Vase.mesh(), 0.06).unwrap();
         let levels = levels(&surface);
         assert!(levels.len() > 8 && levels[levels.len() - 1].points.len() < 200);
         for pair in levels.windows(2) {

@@ -10,11 +10,11 @@ mod guide;
 mod hierarchy;
 mod parts;
 mod phase;
+mod refined;
 mod relax;
 mod stitch;
 mod strand;
 mod stripes;
-mod surface;
 #[cfg(test)]
 mod testing;
 
@@ -23,9 +23,9 @@ use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 
 pub use guide::{Guide, Wish};
+pub(crate) use refined::RefinedMesh;
 pub(crate) use relax::{Sample, samples};
 pub(crate) use strand::{Grid, Node, SAME_SIDE, Strands, foot};
-pub(crate) use surface::Surface;
 
 /// Spacings that [`fill`] takes, world units.
 pub const SPACINGS_WORLD: std::ops::RangeInclusive<f64> = 0.02..=0.2;
@@ -97,7 +97,7 @@ pub fn fill(mesh: &Mesh, options: &FillOptions, progress: &mut dyn FnMut(f32) ->
         let remedy = format!("use {low} to {high}");
         return Err(Error::setting("curve_spacing", format!("{spacing} is out of range"), remedy));
     }
-    let surface = Surface::named(&options.name, mesh, spacing / 2.0)?;
+    let surface = RefinedMesh::named(&options.name, mesh, spacing / 2.0)?;
     if !progress(0.1) {
         return Ok(None);
     }

@@ -62,14 +62,14 @@ fn link(strands: &mut Strands, mut a: u32, b: u32, linked: &mut [bool], spacing:
 
 #[cfg(test)]
 mod tests {
+    use super::super::refined::RefinedMesh;
     use super::super::strand::length;
-    use super::super::surface::Surface;
     use super::super::testing::{circle, sheet};
     use super::*;
 
     #[test]
     fn far_rings_are_linked_at_their_nearest_points() {
-        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let surface = RefinedMesh::new(&sheet(30), 0.05).unwrap();
         let rings = [[-0.35, -0.3], [0.35, -0.3], [0.0, 0.3]].map(|centre| circle(&surface, centre, 0.1));
         let line = joined(&rings, 0.05);
         assert_eq!(line.len(), 600);

@@ -90,15 +90,15 @@ fn smooth(level: &Level, across: &[DVec3], turn: f64, phases: &mut [DVec2]) {
 mod tests {
     use super::super::contour::zero_lines;
     use super::super::hierarchy::levels;
+    use super::super::refined::RefinedMesh;
     use super::super::strand::length;
-    use super::super::surface::Surface;
     use super::super::testing::sheet;
     use super::*;
     use crate::mesh::Shape;
 
     #[test]
     fn on_a_flat_sheet_the_wave_is_a_plane_one() {
-        let surface = Surface::new(&sheet(20), 0.02).unwrap();
+        let surface = RefinedMesh::new(&sheet(20), 0.02).unwrap();
         let levels = levels(&surface);
         let values = waves(&levels, &vec![DVec3::X; surface.points.len()], 0.05, 3);
         // cos(k y + p) for one p: its part along cos(k y) and sin(k y) has length 1.
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn zero_lines_on_a_sphere_are_as_long_as_the_spacing_asks() {
-        let surface = Surface::new(&Shape::Sphere.mesh(), 0.05).unwrap();
+        let surface = RefinedMesh::new(&Shape::Sphere.mesh(), 0.05).unwrap();
         let rings =
             surface.normals.iter().map(|n| super::super::field::tangent(n.cross(DVec3::Y), *n)).collect::<Vec<_>>();
         let values = waves(&levels(&surface), &rings, 0.1, 5);

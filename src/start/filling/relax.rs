@@ -7,9 +7,9 @@
 //! as makes parallels at the wanted spacing the best. With distances d and length L the energy is ∫ d² + λ L; parallels
 //! at spacing s have s²/12 + λ/s for a unit of area, least where λ = s³/6.
 
+use super::refined::RefinedMesh;
 use super::stitch::{NODES_A_SPACING, resampled};
 use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands, foot};
-use super::surface::Surface;
 use crate::parallel;
 use glam::DVec3;
 
@@ -35,7 +35,7 @@ pub struct Sample {
 }
 
 /// Places spread evenly by area, `a_square` for every square of `spacing`.
-pub fn samples(surface: &Surface, spacing: f64, a_square: f64) -> Vec<Sample> {
+pub fn samples(surface: &RefinedMesh, spacing: f64, a_square: f64) -> Vec<Sample> {
     let (mut due, mut all) = (0.0, Vec::new());
     for triangle in 0..surface.triangles.len() as u32 {
         due += 0.5 * surface.area_normal(triangle).length() / (spacing * spacing) * a_square;
@@ -59,7 +59,7 @@ pub fn samples(surface: &Surface, spacing: f64, a_square: f64) -> Vec<Sample> {
 /// `rounds` of evening out. `progress` is told the share that is done and stops everything by returning false: then
 /// there is no result.
 pub fn relaxed(
-    surface: &Surface,
+    surface: &RefinedMesh,
     lines: &[Strand],
     spacing: f64,
     rounds: usize,
@@ -179,7 +179,7 @@ fn undo_crossings(strands: &mut Strands, before: &[Node], spacing: f64) {
 }
 
 /// Without nodes much nearer than `step` to each other and with new ones in the middle of long segments.
-fn respaced(surface: &Surface, line: &[Node], step: f64) -> Strand {
+fn respaced(surface: &RefinedMesh, line: &[Node], step: f64) -> Strand {
     let mut nodes: Strand = Vec::with_capacity(line.len() + 8);
     let gap = |a: &Node, b: &Node| a.point.distance(b.point);
     let mut dispensable = line.len().saturating_sub(6);
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn samples_are_spread_by_area() {
-        let surface = Surface::new(&Shape::Creature.mesh(), 0.1).unwrap();
+        let surface = RefinedMesh::new(&Shape::Creature.mesh(), 0.1).unwrap();
         let all = samples(&surface, 0.05, 10.0);
         let wanted = surface.area() / 0.0025 * 10.0;
         assert!((all.len() as f64 - wanted).abs() <= 1.0);
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn a_ring_between_two_others_goes_to_the_middle() {
-        let surface = Surface::new(&sheet(30), 0.03).unwrap();
+        let surface = RefinedMesh::new(&sheet(30), 0.03).unwrap();
         // Rings a spacing apart but for one of them.
         let wanted = |k: usize| 0.05 * k as f64 + 0.025;
         let ring = |k: usize| circle(&surface, [0.0, 0.0], wanted(k) + if k == 4 { 0.02 } else { 0.0 });
@@ -235,13 +235,13 @@ mod tests {
         assert!(relaxed_none(&surface, &rings));
     }
 
-    fn relaxed_none(surface: &Surface, rings: &[Strand]) -> bool {
+    fn relaxed_none(surface: &RefinedMesh, rings: &[Strand]) -> bool {
         relaxed(surface, rings, 0.05, 3, &mut |share| share < 0.5).is_none()
     }
 
     #[test]
     fn moves_that_cross_are_taken_back() {
-        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let surface = RefinedMesh::new(&sheet(30), 0.05).unwrap();
         let rings = [circle(&surface, [0.0, 0.0], 0.2), circle(&surface, [0.0, 0.0], 0.22)];
         let mut strands = Strands::new(&rings);
         let before = strands.nodes.clone();

@@ -1,8 +1,8 @@
 //! Closed lines joined into one: where two run side by side both are cut and the ends joined across the band between
 //! them, which leaves two hairpins that face each other. Two different lines so joined are always one line.
 
+use super::refined::RefinedMesh;
 use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands};
-use super::surface::Surface;
 use crate::geometry::DisjointSets;
 
 /// How far a place for a join reaches for the other line, in spacings, at first and when nothing else is left.
@@ -15,7 +15,7 @@ pub const NODES_A_SPACING: f64 = 4.0;
 /// Joins the lines of every part of the surface by way of the calmest places. The lines are resampled, several nodes a
 /// spacing. `progress` is told the share that is done and stops everything by returning false: then there is no result.
 pub fn stitched(
-    surface: &Surface,
+    surface: &RefinedMesh,
     lines: &[Strand],
     spacing: f64,
     progress: &mut dyn FnMut(f64) -> bool,
@@ -54,7 +54,7 @@ pub fn stitched(
 }
 
 /// As [`super::strand::resampled`] at the step that joins and relaxation use.
-pub fn resampled(surface: &Surface, line: &[Node], spacing: f64) -> Strand {
+pub fn resampled(surface: &RefinedMesh, line: &[Node], spacing: f64) -> Strand {
     super::strand::resampled(surface, line, spacing / NODES_A_SPACING)
 }
 
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn rings_become_one_line_as_long_as_they_were() {
-        let surface = Surface::new(&sheet(30), 0.025).unwrap();
+        let surface = RefinedMesh::new(&sheet(30), 0.025).unwrap();
         let rings: Vec<Strand> = (1..9).map(|k| circle(&surface, [0.0, 0.0], 0.05 * f64::from(k) + 0.01)).collect();
         let line = stitched(&surface, &rings, 0.05, &mut |_| true).unwrap();
         assert_eq!(line.len(), 1);
@@ -193,9 +193,9 @@ mod tests {
         let positions = (0..sheets).flat_map(|_| one.positions().to_vec()).collect();
         let triangles = (0..sheets).flat_map(|k| one.triangles().iter().map(move |t| t.map(|v| v + k * count)));
         let mesh = Mesh::new("sheets", positions, triangles.collect()).unwrap();
-        let surface = Surface::new(&mesh, 1.0).unwrap();
+        let surface = RefinedMesh::new(&mesh, 1.0).unwrap();
         let each = surface.triangles.len() as u32 / sheets;
-        let own = Surface::new(&one, 1.0).unwrap();
+        let own = RefinedMesh::new(&one, 1.0).unwrap();
         let rings = [0.2, 0.35].map(|radius| resampled(&own, &circle(&own, [0.0, 0.0], radius), 0.2));
         let on = |k: u32| move |node: &Node| Node { triangle: node.triangle + k * each, ..*node };
         let rings = (0..sheets).flat_map(|k| rings.iter().map(move |ring| ring.iter().map(on(k)).collect()));

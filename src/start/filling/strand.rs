@@ -1,6 +1,6 @@
 //! Closed lines on a surface, as nodes with the triangle each lies on, and the grid that finds nodes near a place.
 
-use super::surface::Surface;
+use super::refined::RefinedMesh;
 use glam::DVec3;
 
 /// Normals further apart than this (cosine) belong to different sides of the surface: round an edge a line is still
@@ -17,7 +17,7 @@ pub struct Node {
 
 impl Node {
     /// The nearest place of the surface to `point`, walked to from `triangle`.
-    pub fn on(surface: &Surface, point: DVec3, triangle: u32) -> Node {
+    pub fn on(surface: &RefinedMesh, point: DVec3, triangle: u32) -> Node {
         let (triangle, at, point) = surface.nearest_from(point, triangle);
         Node { point, normal: surface.normal_at(triangle, at), triangle }
     }
@@ -31,7 +31,7 @@ pub fn length(strand: &[Node]) -> f64 {
 }
 
 /// Nodes at even steps of about `step` along the closed line, at least six.
-pub fn resampled(surface: &Surface, strand: &[Node], step: f64) -> Strand {
+pub fn resampled(surface: &RefinedMesh, strand: &[Node], step: f64) -> Strand {
     let whole = length(strand);
     let count = ((whole / step).round() as usize).max(6);
     let mut nodes = Vec::with_capacity(count);
@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn crossings_are_seen_on_one_side_only() {
-        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let surface = RefinedMesh::new(&sheet(30), 0.05).unwrap();
         let rings = [circle(&surface, [-0.1, 0.0], 0.2), circle(&surface, [0.11, 0.0], 0.2)];
         let mut strands = Strands::new(&rings);
         assert_eq!(strands.crossings(0.05).len(), 2);
@@ -305,7 +305,7 @@ mod tests {
 
     #[test]
     fn resampling_keeps_length_and_evens_steps() {
-        let surface = Surface::new(&sheet(30), 0.05).unwrap();
+        let surface = RefinedMesh::new(&sheet(30), 0.05).unwrap();
         let mut line = circle(&surface, [0.0, 0.0], 0.3);
         line.drain(20..60);
         let even = resampled(&surface, &line, 0.01);
@@ -317,7 +317,7 @@ mod tests {
 
     #[test]
     fn joined_lines_are_walked_in_either_direction() {
-        let surface = Surface::new(&sheet(10), 0.1).unwrap();
+        let surface = RefinedMesh::new(&sheet(10), 0.1).unwrap();
         for (beside, is_ahead) in [([201, 202], true), ([202, 201], false)] {
             let mut strands = Strands::new(&[circle(&surface, [-0.2, 0.0], 0.1), circle(&surface, [0.2, 0.0], 0.1)]);
             strands.join([10, 11], beside, is_ahead);

@@ -3,8 +3,8 @@
 use super::contour;
 use super::hierarchy::Level;
 use super::phase;
+use super::refined::RefinedMesh;
 use super::strand::{Strand, length};
-use super::surface::Surface;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ const PERIODS_TRIED: usize = 3;
 const STRIPE_RATIO: f64 = 0.985;
 
 /// The lines of all parts that are not too small.
-pub fn stripes(surface: &Surface, levels: &[Level], field: &[DVec3], spacing: f64, seed: u64) -> Vec<Strand> {
+pub fn stripes(surface: &RefinedMesh, levels: &[Level], field: &[DVec3], spacing: f64, seed: u64) -> Vec<Strand> {
     let areas = surface.part_areas();
     let rim = surface.rim_distances();
     let mut found: (f64, Vec<Strand>) = (f64::INFINITY, Vec::new());

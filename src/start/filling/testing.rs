@@ -1,7 +1,7 @@
 //! Meshes that tests share.
 
+use super::refined::RefinedMesh;
 use super::strand::{Node, Strand};
-use super::surface::Surface;
 use crate::mesh::Mesh;
 use glam::DVec3;
 
@@ -19,7 +19,7 @@ pub fn sheet(n: usize) -> Mesh {
 }
 
 /// A circle on a flat sheet.
-pub fn circle(surface: &Surface, centre: [f64; 2], radius: f64) -> Strand {
+pub fn circle(surface: &RefinedMesh, centre: [f64; 2], radius: f64) -> Strand {
     let point = |k: i32| {
         let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 200.0).sin_cos();
         DVec3::new(centre[0] + radius * cos, centre[1] + radius * sin, 0.0)
@@ -28,7 +28,7 @@ pub fn circle(surface: &Surface, centre: [f64; 2], radius: f64) -> Strand {
 }
 
 /// The node nearest to a point, by asking every triangle.
-pub fn anywhere(surface: &Surface, point: DVec3) -> Node {
+pub fn anywhere(surface: &RefinedMesh, point: DVec3) -> Node {
     let triangles = 0..surface.triangles.len() as u32;
     let away = |&t: &u32| surface.distance_squared(point, t);
     Node::on(surface, point, triangles.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap())

@@ -4,5 +4,5 @@ mod envelope;
 mod lines;
 mod solid;
 
-pub use lines::{Hatching, LineOptions, Lines, Subject};
+pub use lines::{Hatching, Layers, LineOptions, Lines};
 pub use solid::{Solid, SolidOptions};

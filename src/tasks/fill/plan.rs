@@ -8,7 +8,7 @@ use crate::Result;
 use crate::mesh::{Depths, Mesh, Nearest};
 use crate::metrics::{ResultReport, SurfaceReport};
 use crate::objective::Texture;
-use crate::optimize::{Problem, Schedule, Seen, Session, Surface};
+use crate::optimize::{Problem, Schedule, Seen, Session, SurfacePull};
 use crate::parallel;
 use crate::sculpture::{Sculpture, render, render_seen};
 use crate::settings::{Flow, Motif as Laid, Settings, Start, Task};
@@ -189,7 +189,7 @@ impl Plan {
             texture: self.texture.clone(),
             texture_weight: TEXTURE_WEIGHTS[usize::from(settings.motif == Laid::Off)] * settings.style_strength,
             texture_masks,
-            surface: Some(Surface {
+            surface: Some(SurfacePull {
                 nearest: Arc::clone(&self.nearest),
                 weight: SURFACE_WEIGHT * settings.surface_pull,
                 every: PLANES_EVERY,

@@ -6,7 +6,7 @@ use super::sides::{other_sides, side_views};
 use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
 use crate::picture::{Ink, OBJECT_PX, Object, find_object};
 use crate::settings::{Preset, Settings, Shading, Start, Task};
-use crate::start::{self, LineOptions, Lines, Solid, SolidOptions, Subject};
+use crate::start::{self, Layers, LineOptions, Lines, Solid, SolidOptions};
 use crate::tasks;
 use crate::tasks::recipe::{at_once, recipe};
 use crate::tasks::widths::width_bounds;
@@ -74,7 +74,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
 
     let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
     let all_seen = body != mask;
-    let lines = lines(&Subject { mask, tone, saliency, highlight, all_seen }, &solid, settings);
+    let lines = lines(&Layers { mask, tone, saliency, highlight, all_seen }, &solid, settings);
     let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
     let ink = match settings.shading {
         Shading::Lines => lines.ink(settings.size),
@@ -92,7 +92,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
 }
 
 /// The object's lines: as close as the settings say, or as close as the number of control points allows.
-fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
+fn lines(layers: &Layers, solid: &Solid, settings: &Settings) -> Lines {
     let draw = |spacing_px: f64| {
         let options = LineOptions {
             hatching: settings.hatching.into(),
@@ -104,7 +104,7 @@ fn lines(subject: &Subject, solid: &Solid, settings: &Settings) -> Lines {
             gloss: settings.gloss,
             width_px: [settings.min_width, settings.max_width],
         };
-        Lines::draw(subject, &options)
+        Lines::draw(layers, &options)
     };
     if settings.control_points == 0 || settings.start != Start::Contour {
         return draw(settings.hatch);

@@ -1,6 +1,6 @@
 //! A small animal: round parts that flow into each other, and the surface where their field is zero.
 
-use super::{EDGE, Surface};
+use super::{EDGE, Triangles};
 use glam::{DVec3, IVec3};
 
 /// A round bone: from and to with a radius at each end, and how softly it flows into what came before.
@@ -60,7 +60,7 @@ fn field(bones: &[Bone], point: DVec3) -> f64 {
 }
 
 /// The animal: surface nets (Gibson 1998) over a grid, then evened along the surface.
-pub(super) fn creature() -> Surface {
+pub(super) fn creature() -> Triangles {
     let bones = bones();
     let at = |point: DVec3| field(&bones, point);
     let mut surface = nets(&at);
@@ -71,7 +71,7 @@ pub(super) fn creature() -> Surface {
 }
 
 /// One corner in every cell that the surface crosses, four cells round a crossed grid edge joined by two triangles.
-fn nets(field: &dyn Fn(DVec3) -> f64) -> Surface {
+fn nets(field: &dyn Fn(DVec3) -> f64) -> Triangles {
     // Diagonals make the mean edge longer than the grid's.
     let step = 0.9 * EDGE;
     let across = (2.4 / step).ceil() as i32;
@@ -80,7 +80,7 @@ fn nets(field: &dyn Fn(DVec3) -> f64) -> Surface {
     let cells =
         |to: i32| (0..to).flat_map(move |z| (0..to).flat_map(move |y| (0..to).map(move |x| IVec3::new(x, y, z))));
     let values: Vec<f64> = cells(across).map(|cell| field(place(cell))).collect();
-    let mut surface = Surface::default();
+    let mut surface = Triangles::default();
     let mut corner = vec![u32::MAX; values.len()];
     for cell in cells(across - 1) {
         let offsets = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| IVec3::new(i & 1, i >> 1 & 1, i >> 2 & 1));
@@ -108,7 +108,7 @@ fn nets(field: &dyn Fn(DVec3) -> f64) -> Surface {
 }
 
 /// Moves every corner to the middle of its neighbours, then along the field's slope back to zero.
-fn even(surface: &mut Surface, field: &dyn Fn(DVec3) -> f64) {
+fn even(surface: &mut Triangles, field: &dyn Fn(DVec3) -> f64) {
     let mut sums = vec![(DVec3::ZERO, 0.0); surface.points.len()];
     for triangle in &surface.triangles {
         for k in 0..3 {

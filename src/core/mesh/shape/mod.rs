@@ -49,7 +49,7 @@ impl Shape {
 
     /// Its triangles, 10,000 to 25,000 of them, always the same.
     pub fn mesh(self) -> Mesh {
-        let Surface { points, triangles } = match self {
+        let Triangles { points, triangles } = match self {
             Shape::Sphere => sphere::sphere(),
             Shape::Torus => revolved::torus(),
             Shape::Knot => tube::knot(),
@@ -64,12 +64,12 @@ impl Shape {
 
 /// A surface in the making.
 #[derive(Debug, Default)]
-struct Surface {
+struct Triangles {
     points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
 }
 
-impl Surface {
+impl Triangles {
     fn push(&mut self, point: DVec3) -> u32 {
         self.points.push(point);
         self.points.len() as u32 - 1

@@ -1,11 +1,11 @@
 //! Surfaces of revolution round the y axis.
 
-use super::{EDGE, Surface};
+use super::{EDGE, Triangles};
 use glam::{DMat3, DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// Radii 0.7 and 0.3, tilted towards the front so that its hole shows.
-pub(super) fn torus() -> Surface {
+pub(super) fn torus() -> Triangles {
     let count = (TAU * 0.3 / EDGE).round() as usize;
     let profile: Vec<DVec2> = (0..count)
         .map(|i| TAU * i as f64 / count as f64)
@@ -20,7 +20,7 @@ pub(super) fn torus() -> Surface {
 }
 
 /// A foot, a belly, a neck and a lip; then down the inside, a wall's thickness of about 0.13 away.
-pub(super) fn vase() -> Surface {
+pub(super) fn vase() -> Triangles {
     const OUTLINE: [(f64, f64); 22] = [
         (0.0, -0.92),
         (0.12, -0.92),
@@ -81,8 +81,8 @@ fn evenly(line: &[DVec2]) -> Vec<DVec2> {
 
 /// Turns a profile of (radius, y), outside to its right, round the y axis: each point becomes a ring of as many corners
 /// as fit it, a point on the axis one corner. A closed profile's last ring joins its first.
-fn revolve(profile: &[DVec2], closed: bool) -> Surface {
-    let mut surface = Surface::default();
+fn revolve(profile: &[DVec2], closed: bool) -> Triangles {
+    let mut surface = Triangles::default();
     let rings: Vec<Vec<u32>> = profile
         .iter()
         .map(|&DVec2 { x: radius, y }| {

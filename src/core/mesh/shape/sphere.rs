@@ -1,11 +1,11 @@
 //! A sphere of nearly equal triangles.
 
-use super::Surface;
+use super::Triangles;
 use glam::DVec3;
 use std::collections::HashMap;
 
 /// The unit sphere: an icosahedron whose triangles are cut into four five times, 20,480 in all.
-pub(super) fn sphere() -> Surface {
+pub(super) fn sphere() -> Triangles {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     // Three golden rectangles, one in each coordinate plane.
     let mut points = Vec::new();
@@ -37,7 +37,7 @@ pub(super) fn sphere() -> Surface {
             })
             .collect();
     }
-    Surface { points, triangles }
+    Triangles { points, triangles }
 }
 
 /// The triples of corners that are all 2 apart, outward.

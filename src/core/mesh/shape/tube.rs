@@ -1,6 +1,6 @@
 //! A round tube along a knot.
 
-use super::{EDGE, Surface};
+use super::{EDGE, Triangles};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 const RADIUS: f64 = 0.17;
 
 /// A trefoil (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t) that is drawn out in depth so that its strands stay apart.
-pub(super) fn knot() -> Surface {
+pub(super) fn knot() -> Triangles {
     let centre = |t: f64| {
         0.3 * DVec3::new(t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -1.1 * (3.0 * t).sin())
     };
@@ -34,7 +34,7 @@ fn evenly(curve: &dyn Fn(f64) -> DVec3) -> Vec<DVec3> {
 
 /// Rings round a closed line of points. Frames are carried along without turning, and what they are turned by after
 /// once round is spread over all of them.
-fn tube(line: &[DVec3], radius: f64) -> Surface {
+fn tube(line: &[DVec3], radius: f64) -> Triangles {
     let count = line.len();
     let tangent = |i: usize| (line[(i + 1) % count] - line[(i + count - 1) % count]).normalize_or(DVec3::X);
     let start = tangent(0).any_orthonormal_vector();
@@ -45,7 +45,7 @@ fn tube(line: &[DVec3], radius: f64) -> Surface {
     let last = sides[count];
     let turn = start.cross(last).dot(tangent(0)).atan2(start.dot(last));
     let around = (TAU * radius / EDGE).round() as usize;
-    let mut surface = Surface::default();
+    let mut surface = Triangles::default();
     let rings: Vec<Vec<u32>> = (0..count)
         .map(|i| {
             let straighten = -turn * i as f64 / count as f64;

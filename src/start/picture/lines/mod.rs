@@ -15,7 +15,7 @@ use shades::{edges, held_back, highlights, stretched};
 
 /// What of an object is drawn: square pictures of one size, values 0 to 1.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Subject {
+pub struct Layers {
     /// The object.
     pub mask: Image,
     /// How dark each pixel is.
@@ -91,15 +91,15 @@ const DULL: f32 = 0.15;
 
 impl Lines {
     /// The lines of an object.
-    pub fn draw(subject: &Subject, options: &LineOptions) -> Lines {
-        let Subject { mask, saliency, .. } = subject;
+    pub fn draw(layers: &Layers, options: &LineOptions) -> Lines {
+        let Layers { mask, saliency, .. } = layers;
         let side = mask.width;
         let scale = side as f32 / 256.0;
         let px = |at_256: f64| at_256 as f32 * scale;
         let (spacing, outline) = (px(options.spacing_px), px(options.outline_px));
         let solid = mask.threshold(0.5);
         let depth: Vec<f32> = solid.inverted().distance_px().data.iter().map(|d| (d - 0.5).max(0.0)).collect();
-        let tone = stretched(&subject.tone, &solid, 0.25 * f64::from(spacing));
+        let tone = stretched(&layers.tone, &solid, 0.25 * f64::from(spacing));
 
         // Strokes too thin for two outlines and something in between get their middle line.
         let filling = spacing.min(px(WIDEST_FILLING_PX));
@@ -156,7 +156,7 @@ impl Lines {
         let bare = |i: usize| solid.data[i] && (!fat[i] || left_over(i));
         let middle = Mask { data: (0..side * side).map(bare).collect(), ..solid }.thin();
         let edges = edges(&tone, &depth, scale, options);
-        let blank = highlights(&subject.highlight, &depth, scale, options);
+        let blank = highlights(&layers.highlight, &depth, scale, options);
 
         let [least, most] = options.width_px.map(|width| 0.5 * px(width));
         let mut shade = Image::new(side, side);
@@ -188,7 +188,7 @@ impl Lines {
             back.data[i] |= hatched && fill[i] % 4 == 1;
             half_width_px[i] = if on.data[i] { wanted.clamp(least, most) } else { 0.0 };
         }
-        if subject.all_seen {
+        if layers.all_seen {
             back = Mask::new(side, side);
         }
         Lines { side, on, rim, back, half_width_px, mask: mask.clone(), shade }
@@ -278,10 +278,10 @@ mod tests {
         picture(|x, y| f32::from(x.hypot(y) < radius))
     }
 
-    fn subject(mask: &Image, tone: &Image) -> Subject {
+    fn layers(mask: &Image, tone: &Image) -> Layers {
         let nothing = Image::new(256, 256);
         let (mask, tone) = (mask.clone(), tone.clone());
-        Subject { mask, tone, saliency: nothing.clone(), highlight: nothing, all_seen: false }
+        Layers { mask, tone, saliency: nothing.clone(), highlight: nothing, all_seen: false }
     }
 
     fn mean(image: &Image, on: impl Fn(f32, f32) -> bool) -> f32 {
@@ -296,7 +296,7 @@ mod tests {
         let shaded = picture(|x, y| if x.hypot(y) < 100.0 { 0.5 + x / 220.0 } else { 0.0 });
         for options in BOTH {
             let halves = |options: &LineOptions| {
-                let ink = Lines::draw(&subject(&mask, &shaded), options).ink(256);
+                let ink = Lines::draw(&layers(&mask, &shaded), options).ink(256);
                 let half = |sign: f32| mean(&ink, move |x, y| sign * x > 30.0 && x.hypot(y) < 90.0);
                 [half(1.0), half(-1.0)]
             };
@@ -304,10 +304,10 @@ mod tests {
             assert!(dark > 0.6 && light < 0.4, "{dark} {light}");
             let [dark, light] = halves(&LineOptions { tone: 0.0, ..options });
             assert!((dark - light).abs() < 0.1, "{dark} {light}");
-            let full = Lines::draw(&subject(&mask, &mask), &options).ink(256);
+            let full = Lines::draw(&layers(&mask, &mask), &options).ink(256);
             assert!(soft_iou(&full, &mask) > 0.93, "{}", soft_iou(&full, &mask));
             let pale = Image { data: mask.data.iter().map(|on| 0.12 * on).collect(), ..mask };
-            let light = mean(&Lines::draw(&subject(&mask, &pale), &options).ink(256), |x, y| x.hypot(y) < 90.0);
+            let light = mean(&Lines::draw(&layers(&mask, &pale), &options).ink(256), |x, y| x.hypot(y) < 90.0);
             assert!(light < 0.35, "a light thing comes out light: {light}");
         }
     }
@@ -319,8 +319,8 @@ mod tests {
         let near_eye = |ink: &Image| mean(ink, |x, y| ((x - 20.0).hypot(y) - 30.0).abs() < 1.0);
         for options in BOTH {
             let wide = LineOptions { spacing_px: 60.0, tone: 0.0, ..options };
-            let with = Lines::draw(&subject(&mask, &eye), &wide).ink(256);
-            let without = Lines::draw(&subject(&mask, &eye), &LineOptions { edges: 0.0, ..wide }).ink(256);
+            let with = Lines::draw(&layers(&mask, &eye), &wide).ink(256);
+            let without = Lines::draw(&layers(&mask, &eye), &LineOptions { edges: 0.0, ..wide }).ink(256);
             assert!(near_eye(&with) > 0.8 && near_eye(&without) < 0.5, "{} {}", near_eye(&with), near_eye(&without));
         }
     }
@@ -335,11 +335,11 @@ mod tests {
     fn what_catches_the_eye_gets_closer_and_finer_lines_and_the_rest_fewer() {
         let mask = disc(110.0);
         let even = Image { data: mask.data.iter().map(|on| 0.4 * on).collect(), ..mask };
-        let mut subject = subject(&mask, &even);
-        subject.saliency = picture(|x, y| f32::from((x - 50.0).hypot(y) < 30.0));
+        let mut layers = layers(&mask, &even);
+        layers.saliency = picture(|x, y| f32::from((x - 50.0).hypot(y) < 30.0));
         for options in BOTH {
-            let plain = Lines::draw(&subject, &options);
-            let drawn = Lines::draw(&subject, &LineOptions { saliency: 1.0, ..options });
+            let plain = Lines::draw(&layers, &options);
+            let drawn = Lines::draw(&layers, &LineOptions { saliency: 1.0, ..options });
             let [near, far] = [50.0, -50.0].map(|u| [lines_near(&plain, u, 0.0), lines_near(&drawn, u, 0.0)]);
             assert!(near[1] as f64 > 1.6 * near[0] as f64, "closer: {near:?}");
             assert!((far[1] as f64) < 0.7 * far[0] as f64, "fewer: {far:?}");
@@ -354,11 +354,11 @@ mod tests {
     #[test]
     fn highlights_stay_blank_with_a_line_round_them_where_it_shines() {
         let mask = disc(110.0);
-        let mut subject = subject(&mask, &mask);
-        subject.highlight = picture(|x, y| (1.0 - (x + 30.0).hypot(y + 30.0) / 60.0).max(0.0));
+        let mut layers = layers(&mask, &mask);
+        layers.highlight = picture(|x, y| (1.0 - (x + 30.0).hypot(y + 30.0) / 60.0).max(0.0));
         for options in BOTH {
             let shown = |gloss: f64| {
-                let ink = Lines::draw(&subject, &LineOptions { gloss, ..options }).ink(256);
+                let ink = Lines::draw(&layers, &LineOptions { gloss, ..options }).ink(256);
                 let at =
                     |near: f32, far: f32| mean(&ink, move |x, y| (near..far).contains(&(x + 30.0).hypot(y + 30.0)));
                 [at(0.0, 20.0), at(28.0, 32.0)]
@@ -372,7 +372,7 @@ mod tests {
     #[test]
     fn hatching_suits_the_shape() {
         let same = |mask: &Image, hatching: Hatching| {
-            let drawn = |hatching| Lines::draw(&subject(mask, mask), &LineOptions { hatching, ..OPTIONS }).on;
+            let drawn = |hatching| Lines::draw(&layers(mask, mask), &LineOptions { hatching, ..OPTIONS }).on;
             drawn(Hatching::Auto) == drawn(hatching)
         };
         let ring = picture(|x, y| f32::from((x.hypot(y) - 80.0).abs() < 20.0));
@@ -381,7 +381,7 @@ mod tests {
     }
 
     fn walked(mask: &Image, tone: &Image, options: &LineOptions) -> (Lines, Solid, Path) {
-        let lines = Lines::draw(&subject(mask, tone), options);
+        let lines = Lines::draw(&layers(mask, tone), options);
         let solid = Solid::inflated("thing", mask, &SolidOptions::default()).unwrap();
         let path = lines.walk(&solid, 0.005);
         (lines, solid, path)

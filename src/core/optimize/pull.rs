@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Keeps a wire on a mesh. Samples are pulled to the planes that touch the mesh at the points next to them, which are
 /// looked up every few iterations only: in between samples glide along their planes.
 #[derive(Debug, Clone)]
-pub struct Surface {
+pub struct SurfacePull {
     /// Finds those points.
     pub nearest: Arc<Nearest>,
     /// Weight of the samples' mean squared distance from their planes, lengths in half picture sides.
@@ -20,10 +20,10 @@ pub struct Surface {
 /// Nearer to the mesh than this, world units, the way there says nothing about the mesh.
 const ON_SURFACE: f64 = 1e-6;
 
-impl Surface {
+impl SurfacePull {
     /// With planes laid anew every ten iterations.
-    pub fn new(nearest: Arc<Nearest>, weight: f64) -> Surface {
-        Surface { nearest, weight, every: 10 }
+    pub fn new(nearest: Arc<Nearest>, weight: f64) -> SurfacePull {
+        SurfacePull { nearest, weight, every: 10 }
     }
 
     pub(super) fn check(&self) -> Result<()> {
@@ -58,7 +58,7 @@ impl Surface {
     }
 }
 
-impl PartialEq for Surface {
+impl PartialEq for SurfacePull {
     /// The same mesh, not merely an equal one.
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.nearest, &other.nearest) && (self.weight, self.every) == (other.weight, other.every)
@@ -71,10 +71,10 @@ mod tests {
     use crate::mesh::Mesh;
 
     /// The unit square in x and y, at z = 0.
-    fn square() -> Surface {
+    fn square() -> SurfacePull {
         let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let mesh = Mesh::new("square", corners, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
-        Surface::new(Arc::new(Nearest::new(&mesh)), 1.0)
+        SurfacePull::new(Arc::new(Nearest::new(&mesh)), 1.0)
     }
 
     #[test]
@@ -94,7 +94,7 @@ mod tests {
     fn weights_and_counts_out_of_range_are_refused() {
         assert!(square().check().is_ok());
         for (weight, every) in [(-1.0, 10), (f64::NAN, 10), (1.0, 0)] {
-            assert!(Surface { weight, every, ..square() }.check().is_err(), "{weight} {every}");
+            assert!(SurfacePull { weight, every, ..square() }.check().is_err(), "{weight} {every}");
         }
     }
 }

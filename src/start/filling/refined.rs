@@ -28,7 +28,7 @@ impl Edge {
 
 /// Triangles of which at most two meet at an edge.
 #[derive(Debug, Clone, Default)]
-pub struct Surface {
+pub struct RefinedMesh {
     pub points: Vec<DVec3>,
     /// Unit normals, averaged round each vertex by area.
     pub normals: Vec<DVec3>,
@@ -44,13 +44,13 @@ pub struct Surface {
     pub parts: usize,
 }
 
-impl Surface {
-    /// As [`Surface::named`], of a mesh without a name.
+impl RefinedMesh {
+    /// As [`RefinedMesh::named`], of a mesh without a name.
     ///
     /// # Errors
-    /// As [`Surface::named`].
-    pub fn new(mesh: &Mesh, longest: f64) -> Result<Surface> {
-        Surface::named("mesh", mesh, longest)
+    /// As [`RefinedMesh::named`].
+    pub fn new(mesh: &Mesh, longest: f64) -> Result<RefinedMesh> {
+        RefinedMesh::named("mesh", mesh, longest)
     }
 
     /// `mesh`, which the person calls `name`, with no edge longer than `longest`.
@@ -58,11 +58,11 @@ impl Surface {
     /// # Errors
     /// If that takes too many triangles: [`Error::Setting`] for `curve_spacing` where a coarser one would do, else
     /// [`Error::Input`].
-    pub fn named(name: &str, mesh: &Mesh, longest: f64) -> Result<Surface> {
+    pub fn named(name: &str, mesh: &Mesh, longest: f64) -> Result<RefinedMesh> {
         let points: Vec<DVec3> = mesh.positions().iter().map(|&p| DVec3::from(p)).collect();
         let whole = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
         let triangles: Vec<[u32; 3]> = mesh.triangles().iter().copied().filter(whole).collect();
-        let mut surface = Surface { points, triangles, ..Surface::default() };
+        let mut surface = RefinedMesh { points, triangles, ..RefinedMesh::default() };
         let needed = surface.triangles.len() as f64 + TRIANGLES_A_SQUARE * surface.area() / (longest * longest);
         if needed > MOST_TRIANGLES as f64 {
             return Err(too_fine(name, longest * (needed / MOST_TRIANGLES as f64).sqrt()));
@@ -375,7 +375,7 @@ mod tests {
     fn refining_keeps_the_surface() {
         for (shape, longest) in [(Shape::Sphere, 0.04), (Shape::Creature, 0.02), (Shape::Torus, 0.5)] {
             let mesh = shape.mesh();
-            let surface = Surface::new(&mesh, longest).unwrap();
+            let surface = RefinedMesh::new(&mesh, longest).unwrap();
             assert!((surface.area() - mesh.area()).abs() < 1e-9 * mesh.area());
             assert_eq!(surface.parts, 1);
             for edge in &surface.edges {
@@ -390,7 +390,7 @@ mod tests {
     fn three_sheets_at_an_edge_are_cut_apart() {
         let positions = vec![[0.0, 0.0, -0.5], [0.0, 0.0, 0.5], [0.5, 0.05, 0.0], [-0.5, 0.0, 0.0], [0.0, 0.5, 0.0]];
         let mesh = Mesh::new("fin", positions, vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]]).unwrap();
-        let surface = Surface::new(&mesh, 0.1).unwrap();
+        let surface = RefinedMesh::new(&mesh, 0.1).unwrap();
         assert_eq!(surface.parts, 2);
         let flat = surface.part_areas()[surface.part(0) as usize];
         assert!((flat - 0.25 - 0.5 * 0.5f64.hypot(0.05)).abs() < 1e-9, "the two flattest stay together: {flat}");
@@ -398,12 +398,12 @@ mod tests {
 
     #[test]
     fn distances_to_the_rim_are_those_of_the_square() {
-        let surface = Surface::new(&super::super::testing::sheet(20), 0.03).unwrap();
+        let surface = RefinedMesh::new(&super::super::testing::sheet(20), 0.03).unwrap();
         for (point, distance) in surface.points.iter().zip(surface.rim_distances()) {
             let wanted = (0.5 - point.x.abs()).min(0.5 - point.y.abs());
             assert!(distance > wanted - 1e-9 && distance < 1.2 * wanted + 0.01, "{distance} not {wanted}");
         }
-        let sphere = Surface::new(&Shape::Sphere.mesh(), 0.1).unwrap();
+        let sphere = RefinedMesh::new(&Shape::Sphere.mesh(), 0.1).unwrap();
         assert!(sphere.rim_distances().iter().all(|distance| distance.is_infinite()));
     }
 
@@ -412,7 +412,7 @@ mod tests {
         let refused = |factor: f64| {
             let large = super::super::testing::sheet(1).positions().iter().map(|p| p.map(|c| factor * c)).collect();
             let mesh = Mesh::new("large", large, vec![[0, 1, 3]]).unwrap();
-            Surface::named("large.obj", &mesh, 0.03).unwrap_err().to_string()
+            RefinedMesh::named("large.obj", &mesh, 0.03).unwrap_err().to_string()
         };
         let error = refused(50.0);
         assert!(error.starts_with("curve_spacing: is too fine"), "{error}");
@@ -427,7 +427,7 @@ mod tests {
         let positions = ends.flat_map(|y| [[-1.0, y, 0.0], [1.0, y, 0.0], [1.0, y + 1e-7, 0.0]]).collect();
         let triangles = (0..100_000).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let mesh = Mesh::new("needles", positions, triangles).unwrap();
-        let error = Surface::named("needles.obj", &mesh, 0.075).unwrap_err().to_string();
+        let error = RefinedMesh::named("needles.obj", &mesh, 0.075).unwrap_err().to_string();
         assert!(error.starts_with("needles.obj: ") && error.contains("long thin"), "{error}");
     }
 }
