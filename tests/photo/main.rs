@@ -1,0 +1,5 @@
+//! Photographs: the object, and its lines, against scenes of known truth.
+
+#[path = "../support/scenes/mod.rs"]
+mod scenes;
+mod scenes_are_true;
