@@ -20,10 +20,14 @@ pub fn luma([r, g, b]: [f32; 3]) -> f32 {
 
 /// Oklab (Ottosson 2020), in which equal distances look equally different; black to white is 1.
 pub fn oklab(rgb: [u8; 3]) -> [f32; 3] {
-    let [r, g, b] = rgb.map(|byte| {
+    oklab_of_light(rgb.map(|byte| {
         let value = f32::from(byte) / 255.0;
         if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-    });
+    }))
+}
+
+/// [`oklab`] of linear light, 0 to 1.
+pub fn oklab_of_light([r, g, b]: [f32; 3]) -> [f32; 3] {
     let l = (0.412_221_46 * r + 0.536_332_55 * g + 0.051_445_995 * b).cbrt();
     let m = (0.211_903_5 * r + 0.680_699_5 * g + 0.107_396_96 * b).cbrt();
     let s = (0.088_302_46 * r + 0.281_718_85 * g + 0.629_978_7 * b).cbrt();

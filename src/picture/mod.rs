@@ -1,11 +1,13 @@
 //! Pictures as people bring them: decoding, ink, masks, the object in a picture; patterns by formula.
 
 mod colour;
+pub mod cut;
 mod cutout;
 mod ink;
 mod mask;
 mod object;
 mod patterns;
+mod photo;
 #[cfg(feature = "cli")]
 mod read;
 mod reading;
@@ -19,6 +21,7 @@ pub use ink::{Because, Ground, MAX_PICTURE_PIXELS, Picture, Polarity, ink};
 pub use mask::{Components, Mask, NOWHERE};
 pub use object::{OBJECT_PX, Object, Parts, find_object};
 pub use patterns::Pattern;
+pub use photo::{PHOTO_PX, Photo};
 #[cfg(feature = "cli")]
 pub use read::{decode_picture, read_depth, read_picture};
 pub use reading::Reading;

@@ -1,0 +1,193 @@
+//! The object of a photograph, cut out by what a person points at: a box round it, strokes on it and beside it.
+//!
+//! Cuts are iterated between the colours of object and ground (GrabCut; Rother, Kolmogorov and Blake 2004): first small,
+//! then once more at full size in a band along the border. Without a hint it is looked for, and how sure that is is said.
+
+mod colours;
+mod flow;
+mod level;
+mod region;
+mod saliency;
+mod strokes;
+mod tidy;
+
+use super::photo::Photo;
+use super::spread::quantile;
+use crate::view::Image;
+use crate::{Error, Result};
+use region::{Guess, Region};
+
+/// A line drawn on a photograph, px of [`Photo`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stroke {
+    /// Its corners; one is a dot.
+    pub points: Vec<[f32; 2]>,
+    /// Half its width.
+    pub radius_px: f32,
+}
+
+/// What a person pointed at. All places are px of the [`Photo`].
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Hints {
+    /// A box round the object: left, top, right, bottom. What is outside is ground.
+    pub bounds: Option<[f32; 4]>,
+    /// Strokes on the object.
+    pub object: Vec<Stroke>,
+    /// Strokes on the ground.
+    pub ground: Vec<Stroke>,
+}
+
+/// An object cut out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cut {
+    /// 1 where the object is, 0 elsewhere; as large as the photograph.
+    pub mask: Image,
+    /// How likely that is to be the object as a person would cut it, 0 to 1. Below [`SURE`] better ask.
+    pub sure: f32,
+    /// What a person should know, in plain words.
+    pub notes: Vec<String>,
+}
+
+/// Cuts that are surer than this may be taken without asking: found on scenes of known truth.
+pub const SURE: f32 = 0.75;
+
+/// Colours that spread less than this, in units of [`Photo::lab`], show nothing.
+const LEAST_SPREAD: f32 = 4.0;
+/// Edges that are nowhere steeper than this, in units of colour a pixel, are blurred.
+const BLURRED: f32 = 1.2;
+/// A picture whose usual slope is this share of its steepest is texture all over.
+const TEXTURE: f32 = 0.3;
+
+/// Cuts one photograph, again and again as hints come in. What it finds depends on the hints alone, not on what was
+/// asked before.
+pub struct Cutter {
+    photo: Photo,
+    /// What was found inside the last box, before any stroke.
+    guess: Option<([usize; 4], Region, Guess)>,
+}
+
+impl Cutter {
+    /// For one photograph.
+    pub fn new(photo: Photo) -> Cutter {
+        Cutter { photo, guess: None }
+    }
+
+    /// The photograph.
+    pub fn photo(&self) -> &Photo {
+        &self.photo
+    }
+
+    /// Cuts out what the hints point at, or what catches the eye without any.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] named `box` for one outside the picture or of no area, named `strokes` for strokes that lie
+    /// outside the picture or the box, or contradict each other; [`Error::Picture`] where there is nothing to see, and
+    /// where nothing is found.
+    pub fn cut(&mut self, hints: &Hints) -> Result<Cut> {
+        let bounds = self.bounds(hints)?;
+        self.check_strokes(hints, bounds)?;
+        let mut notes = self.looked_over()?;
+        if self.guess.as_ref().is_none_or(|(of, ..)| *of != bounds) {
+            let region = Region::new(&self.photo, bounds);
+            let guess = region.guess();
+            self.guess = Some((bounds, region, guess));
+        }
+        let Some((_, region, guess)) = &self.guess else { unreachable!("it was just made") };
+        let mask = region.cut(guess, &hints.object, &hints.ground);
+        let share = mask.data.iter().filter(|&&value| value > 0.5).count() as f64 / mask.data.len() as f64;
+        let name = &self.photo.name;
+        if share < 1e-4 {
+            return Err(Error::picture(name, "no object was found", "draw a stroke on it, or a box close round it"));
+        }
+        let stroked = !hints.object.is_empty() || !hints.ground.is_empty();
+        if hints.bounds.is_none() && !stroked && guess.sure < SURE {
+            notes.push(format!("{name}: it is not clear which thing is meant; drag a box round it"));
+        } else if hints.bounds.is_some() && !stroked && guess.sure < SURE {
+            notes.push(format!("{name}: the object may be cut out badly; strokes on what is missing or too much help"));
+        }
+        // Whoever drew strokes looked at what they did.
+        let sure = if stroked { 1.0 } else { guess.sure };
+        Ok(Cut { mask, sure, notes })
+    }
+
+    /// The box as whole pixels: first columns and rows, and one past the last.
+    fn bounds(&self, hints: &Hints) -> Result<[usize; 4]> {
+        let (width, height) = (self.photo.width, self.photo.height);
+        let Some([left, top, right, bottom]) = hints.bounds else { return Ok([0, 0, width, height]) };
+        let refuse = |problem: &str| Err(Error::setting("box", problem, "drag it round the object"));
+        if ![left, top, right, bottom].iter().all(|v| v.is_finite()) || right <= left || bottom <= top {
+            return refuse("has no area");
+        }
+        let inside = |v: f32, side: usize| v.clamp(0.0, side as f32);
+        let [l, r] = [inside(left, width).floor(), inside(right, width).ceil()].map(|v| v as usize);
+        let [t, b] = [inside(top, height).floor(), inside(bottom, height).ceil()].map(|v| v as usize);
+        if r <= l || b <= t {
+            return refuse("lies outside the picture");
+        }
+        if (r - l).min(b - t) < 4 {
+            return refuse("is too small to hold anything");
+        }
+        Ok([l, t, r, b])
+    }
+
+    fn check_strokes(&self, hints: &Hints, [left, top, right, bottom]: [usize; 4]) -> Result<()> {
+        let (width, height) = (self.photo.width, self.photo.height);
+        let refuse = |problem: &str, remedy: &str| Err(Error::setting("strokes", problem, remedy));
+        let all = || hints.object.iter().chain(&hints.ground);
+        if all().any(|stroke| {
+            stroke.points.is_empty()
+                || !stroke.radius_px.is_finite()
+                || stroke.points.iter().flatten().any(|v| !v.is_finite())
+        }) {
+            return refuse("have a place that is no number", "draw them again");
+        }
+        if hints.object.is_empty() {
+            return Ok(());
+        }
+        let marks = |strokes: &[Stroke]| strokes::under(strokes, width, height, [0.0; 2], 1.0);
+        let ground = marks(&hints.ground);
+        for stroke in &hints.object {
+            let on = marks(std::slice::from_ref(stroke));
+            let count = |keep: &dyn Fn(usize) -> bool| (0..on.len()).filter(|&i| on[i] && keep(i)).count();
+            let drawn = count(&|_| true);
+            if drawn == 0 {
+                return refuse("lie outside the picture", "draw them on the object");
+            }
+            let boxed = |i: usize| (left..right).contains(&(i % width)) && (top..bottom).contains(&(i / width));
+            if 2 * count(&boxed) < drawn {
+                return refuse("mark as object what is outside the box", "drag the box larger, or undo the stroke");
+            }
+            if 2 * count(&|i| ground[i]) > drawn {
+                return refuse("mark the same place as object and as ground", "undo one of them");
+            }
+        }
+        Ok(())
+    }
+
+    /// What is wrong with the picture as a whole.
+    fn looked_over(&self) -> Result<Vec<String>> {
+        let Photo { name, lab, width, height, .. } = &self.photo;
+        let sampled = |c: usize| lab.iter().step_by(5).map(|lab| lab[c]).collect::<Vec<f32>>();
+        let spread = |c: usize| quantile(&mut sampled(c), 0.998) - quantile(&mut sampled(c), 0.002);
+        let widest = (0..3).map(spread).fold(0.0, f32::max);
+        if widest < LEAST_SPREAD {
+            let dark = quantile(&mut sampled(0), 0.5) < 25.0;
+            let problem = if dark { "is dark all over" } else { "is of one colour all over" };
+            return Err(Error::picture(name, problem, "take one in which an object stands out"));
+        }
+        let step = |i: usize| {
+            let n = if i % width + 1 < *width { i + 1 } else { i };
+            let m = if i / width + 1 < *height { i + width } else { i };
+            (0..3).map(|c| (lab[n][c] - lab[i][c]).powi(2) + (lab[m][c] - lab[i][c]).powi(2)).sum::<f32>().sqrt()
+        };
+        let mut steps: Vec<f32> = (0..lab.len()).step_by(3).map(step).collect();
+        let (usual, steepest) = (quantile(&mut steps, 0.5), quantile(&mut steps, 0.995));
+        let mut notes = Vec::new();
+        if steepest < BLURRED {
+            notes.push(format!("{name}: is blurred all over, so borders may be found badly; a sharper picture helps"));
+        } else if usual > TEXTURE * steepest {
+            notes.push(format!("{name}: is texture all over, so borders may be found badly; strokes help"));
+        }
+        Ok(notes)
+    }
+}

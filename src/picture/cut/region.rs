@@ -1,0 +1,213 @@
+//! What is looked at for one box: the part of the photograph in and round it, small and at full size.
+
+use super::Stroke;
+use super::level::{Known, Level};
+use super::saliency::saliency;
+use super::strokes::{reach, under};
+use super::tidy::{grown, tidy};
+use crate::picture::photo::Photo;
+use crate::picture::spread::{otsu, quantile};
+use crate::picture::{Ink, Mask};
+use crate::view::Image;
+
+/// Longest side of the small size, px.
+const SMALL_PX: usize = 256;
+/// What is seen round a box, share of its longer side.
+const RING: f64 = 0.15;
+/// Half the band that is cut anew at full size, px of the small one.
+const BAND: f64 = 2.5;
+/// Most rounds of colours and cuts.
+const ROUNDS: usize = 6;
+/// How much pixels at a stroke lean to its side, in the units of surprise.
+const LEAN: f32 = 8.0;
+
+/// How much better a cut begun from what catches the eye must fit to be taken.
+const WORSE: f32 = 0.1;
+
+/// Part of a photograph, twice.
+pub struct Region {
+    /// Size of the photograph.
+    size: [usize; 2],
+    /// Where the part begins.
+    corner: [usize; 2],
+    small: Level,
+    full: Level,
+    /// Whether there is a box.
+    boxed: bool,
+    /// Where the box is in the small part; all but the picture's rim without one.
+    inside: Vec<bool>,
+}
+
+/// What is found before any stroke, at the small size.
+pub struct Guess {
+    pub object: Vec<bool>,
+    pub sure: f32,
+}
+
+impl Region {
+    /// For a box: columns and rows of its first and after its last pixel.
+    pub fn new(photo: &Photo, [left, top, right, bottom]: [usize; 4]) -> Region {
+        let ring = (RING * (right - left).max(bottom - top) as f64).round() as usize;
+        let [x0, y0] = [left.saturating_sub(ring), top.saturating_sub(ring)];
+        let [x1, y1] = [(right + ring).min(photo.width), (bottom + ring).min(photo.height)];
+        let (width, height) = (x1 - x0, y1 - y0);
+        let lab: Vec<[f32; 3]> = (y0..y1).flat_map(|y| &photo.lab[y * photo.width + x0..][..width]).copied().collect();
+        let scale = (SMALL_PX as f64 / width.max(height) as f64).min(1.0);
+        let [w, h] = [width, height].map(|side| ((side as f64 * scale).round() as usize).max(1));
+        let channel =
+            |c: usize| Image { width, height, data: lab.iter().map(|lab| lab[c]).collect() }.resized(w, h).data;
+        let [l, a, b] = [0, 1, 2].map(channel);
+        let small = Level::new(w, h, (0..l.len()).map(|i| [l[i], a[i], b[i]]).collect());
+        let in_box = |x: usize, y: usize| {
+            let at = |v: usize, from: usize| from as f64 + (v as f64 + 0.5) / scale;
+            (left as f64..right as f64).contains(&at(x, x0)) && (top as f64..bottom as f64).contains(&at(y, y0))
+        };
+        let mut inside: Vec<bool> = (0..w * h).map(|i| in_box(i % w, i / w)).collect();
+        let outside = inside.iter().filter(|&&inside| !inside).count();
+        if (outside as f64) < 0.02 * (w * h) as f64 {
+            for (i, inside) in inside.iter_mut().enumerate() {
+                let (x, y) = (i % w, i / w);
+                *inside &= x >= 2 && y >= 2 && x + 2 < w && y + 2 < h;
+            }
+        }
+        let full = Level::new(width, height, lab);
+        let boxed = [left, top, right, bottom] != [0, 0, photo.width, photo.height];
+        Region { size: [photo.width, photo.height], corner: [x0, y0], small, full, boxed, inside }
+    }
+
+    /// The object without strokes: begun once with all that is inside, once with what catches the eye.
+    pub fn guess(&self) -> Guess {
+        let known: Vec<Known> = self.inside.iter().map(|&i| if i { Known::Open } else { Known::Ground }).collect();
+        let whole = self.small.cut(&known, &self.inside, &[], ROUNDS);
+        let salient = self.salient();
+        let eye = self.small.cut(&known, &salient, &[], ROUNDS);
+        let (same, seen) = (overlap(&whole, &eye), overlap(&salient, &eye));
+        // A box says where it is, so that what catches the eye need not be it.
+        let sure = if self.boxed { same } else { seen.powf(1.5) * same.sqrt() };
+        let object = if self.score(&eye) > self.score(&whole) + WORSE { eye } else { whole };
+        Guess { object, sure }
+    }
+
+    /// How well a cut fits its box: its border runs along edges, it fills the box's middle and does not touch its sides.
+    fn score(&self, object: &[bool]) -> f32 {
+        let (w, h) = (self.small.width, self.small.height);
+        let mask = Mask { width: w, height: h, data: object.to_vec() };
+        let Some(found) = mask.bounding_box() else { return f32::MIN };
+        let Some(frame) = (Mask { data: self.inside.clone(), ..mask.clone() }).bounding_box() else { return f32::MIN };
+        let slope = self.small.slope();
+        let is_border = |i: &usize| {
+            let (x, y) = (i % w, i / w);
+            object[*i]
+                && self.inside[*i]
+                && x > 0
+                && y > 0
+                && x + 1 < w
+                && y + 1 < h
+                && [i - 1, i + 1, i - w, i + w].iter().any(|&n| !object[n])
+        };
+        let mut border: Vec<f32> = (0..w * h).filter(is_border).map(|i| slope[i]).collect();
+        let along = quantile(&mut border, 0.5) / (quantile(&mut slope.clone(), 0.9) + 2.0);
+        let short = |found: usize, frame: usize| (0.72 - found as f32 / frame as f32).max(0.0);
+        let narrow = short(found.width(), frame.width()) + short(found.height(), frame.height());
+        // A box's own sides, not the picture's.
+        let sides: Vec<usize> = (0..w * h)
+            .filter(|&i| {
+                let (x, y) = (i % w, i / w);
+                let open = |n: usize| !self.inside[n];
+                self.inside[i]
+                    && (x > 2 && open(i - 1)
+                        || x + 3 < w && open(i + 1)
+                        || y > 2 && open(i - w)
+                        || y + 3 < h && open(i + w))
+            })
+            .collect();
+        let touching = sides.iter().filter(|&&i| object[i]).count() as f32 / sides.len().max(1) as f32;
+        0.5 * along.min(2.5) - 6.0 * narrow - 4.0 * touching
+    }
+
+    fn salient(&self) -> Vec<bool> {
+        let Level { width, height, lab, .. } = &self.small;
+        let is_rim = |i: usize| i % width == 0 || i % width == width - 1 || i / width == 0 || i / width == height - 1;
+        let values = saliency(*width, *height, lab, |i| !self.inside[i] || is_rim(i));
+        let at: Vec<usize> = (0..values.len()).filter(|&i| self.inside[i]).collect();
+        let range = |place: &dyn Fn(usize) -> usize| {
+            let [low, high] =
+                [at.iter().map(|&i| place(i)).min(), at.iter().map(|&i| place(i)).max()].map(|v| v.unwrap_or(0));
+            (0.5 * (low + high) as f64, (0.5 * (high - low) as f64).max(1.0))
+        };
+        let ((cx, rx), (cy, ry)) = (range(&|i| i % width), range(&|i| i / width));
+        let weighted: Vec<f32> = (0..values.len())
+            .map(|i| {
+                let [u, v] = [((i % width) as f64 - cx) / rx, ((i / width) as f64 - cy) / ry];
+                if self.inside[i] { values[i] * (-(u * u + v * v) / (2.0 * 0.75 * 0.75)).exp() as f32 } else { 0.0 }
+            })
+            .collect();
+        let most = weighted.iter().fold(1e-9f32, |most, &v| most.max(v));
+        let level = otsu(at.iter().map(|&i| weighted[i] / most)) * most;
+        weighted.iter().map(|&v| v > level).collect()
+    }
+
+    /// The object, as large as the photograph.
+    pub fn cut(&self, guess: &Guess, object: &[Stroke], ground: &[Stroke]) -> Image {
+        let (small, full) = (&self.small, &self.full);
+        let corner = self.corner.map(|c| c as f64);
+        let scale = small.width as f64 / full.width as f64;
+        let known = |level: &Level, scale: f64| {
+            let [on, off] = [object, ground].map(|s| under(s, level.width, level.height, corner, scale));
+            let known = |i: usize| match (on[i], off[i]) {
+                (_, true) => Known::Ground,
+                (true, false) => Known::Object,
+                _ => Known::Open,
+            };
+            (0..level.lab.len()).map(known).collect::<Vec<_>>()
+        };
+        let mut found = guess.object.clone();
+        if !object.is_empty() || !ground.is_empty() {
+            let stroked = known(small, scale);
+            let [near, off] = [Known::Object, Known::Ground]
+                .map(|side| reach(small, &stroked.iter().map(|&known| known == side).collect::<Vec<_>>()));
+            let lean: Vec<f32> = near.iter().zip(&off).map(|(near, off)| LEAN * (near - off)).collect();
+            let start: Vec<bool> =
+                (0..found.len()).map(|i| if near[i] == off[i] { found[i] } else { near[i] > off[i] }).collect();
+            let known: Vec<Known> =
+                (0..found.len()).map(|i| if self.inside[i] { stroked[i] } else { Known::Ground }).collect();
+            found = small.cut(&known, &start, &lean, 3);
+        }
+        let cut = self.at_full_size(&found, &known(full, 1.0));
+        let tidied = tidy(&Mask { width: full.width, height: full.height, data: cut });
+        let mut mask = Image::new(self.size[0], self.size[1]);
+        for (i, _) in tidied.data.iter().enumerate().filter(|(_, on)| **on) {
+            let (x, y) = (i % tidied.width + self.corner[0], i / tidied.width + self.corner[1]);
+            mask.data[y * self.size[0] + x] = 1.0;
+        }
+        mask
+    }
+
+    /// A cut at the small size made one at full size: only a band along its border is open.
+    fn at_full_size(&self, object: &[bool], stroked: &[Known]) -> Vec<bool> {
+        let (width, height) = (self.full.width, self.full.height);
+        let small = Mask { width: self.small.width, height: self.small.height, data: object.to_vec() };
+        let near = small.to_image().window([0.0, 0.0, small.width as f64, small.height as f64], width, height);
+        let start = near.threshold(0.5);
+        let reach = (BAND * width as f64 / self.small.width as f64).max(2.0) as f32;
+        let (outer, inner) = (grown(&start, reach), grown(&start.inverted(), reach));
+        let known: Vec<Known> = (0..start.data.len())
+            .map(|i| match (stroked[i], outer.data[i], inner.data[i]) {
+                (Known::Open, true, false) => Known::Object,
+                (Known::Open, false, _) => Known::Ground,
+                (stroked, ..) => stroked,
+            })
+            .collect();
+        self.full.cut(&known, &start.data, &[], 1)
+    }
+}
+
+/// Intersection over union.
+pub fn overlap(a: &[bool], b: &[bool]) -> f32 {
+    let (mut both, mut any) = (0usize, 0usize);
+    for (&a, &b) in a.iter().zip(b) {
+        both += usize::from(a && b);
+        any += usize::from(a || b);
+    }
+    both as f32 / any.max(1) as f32
+}
