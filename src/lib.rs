@@ -15,15 +15,14 @@
 //! control points → samples ([`wire::LinearMap`]) → pixels ([`view::Camera`]) → coverage ([`raster`]) → loss
 //! ([`objective`]) and the adjoints back the same way; [`optimize::Session`] drives it, [`tasks`] says what to drive.
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 pub mod files;
 
 pub use wire4d_core::{Error, Result, error, geometry, mesh, objective, optimize, parallel, raster, rng, view, wire};
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 pub use wire4d_model as model;
 
 pub mod picture;
-pub mod scene;
 pub mod start;
 
 #[cfg(feature = "gpu")]
@@ -36,9 +35,6 @@ pub mod metrics;
 
 pub mod settings;
 pub mod tasks;
-
-#[cfg(target_arch = "wasm32")]
-mod web;
 
 /// What the README shows compiles.
 #[cfg(doctest)]

@@ -1,4 +1,4 @@
-//! How properties are tested in both crates.
+//! How properties are tested in every crate.
 
 /// Few cases from a fixed seed: quick, and the same on every machine.
 pub fn few_cases() -> proptest::test_runner::Config {

@@ -8,13 +8,13 @@ mod mask;
 mod object;
 mod patterns;
 mod photo;
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 mod read;
 mod reading;
 mod sheet;
 mod spread;
 mod strokes;
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 mod write;
 
 pub use ink::{Because, Ground, MAX_PICTURE_PIXELS, Picture, Polarity, ink};
@@ -22,9 +22,9 @@ pub use mask::{Components, Mask, NOWHERE};
 pub use object::{OBJECT_PX, Object, Parts, find_object};
 pub use patterns::Pattern;
 pub use photo::{PHOTO_PX, Photo};
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 pub use read::{decode_picture, read_depth, read_picture};
 pub use reading::Reading;
 pub use strokes::Ink;
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 pub use write::{GreyDepth, encode_png, write_png};

@@ -1,18 +1,18 @@
 //! A finished wire: shown, measured, saved and shared.
 
-use super::json;
-use super::pictures::{Ink, ViewTarget};
-use crate::export::{self, ExportOptions, Format};
-use crate::mesh::Mesh;
-use crate::metrics::{ResultReport, elegance};
-use crate::sculpture::Sculpture;
-use crate::wire::Wire;
-use crate::{Error, Result};
+use crate::json;
+use crate::pictures::{Ink, ViewTarget};
 use wasm_bindgen::prelude::*;
+use wire4d::export::{self, ExportOptions, Format};
+use wire4d::mesh::Mesh;
+use wire4d::metrics::{ResultReport, elegance};
+use wire4d::sculpture::Sculpture;
+use wire4d::wire::Wire;
+use wire4d::{Error, Result};
 
 /// A wire as numbers.
 #[wasm_bindgen]
-pub struct WireData(pub(super) Wire);
+pub struct WireData(pub(crate) Wire);
 
 #[wasm_bindgen]
 impl WireData {
@@ -43,12 +43,12 @@ pub struct Made {
 }
 
 impl Made {
-    pub(super) fn new(sculpture: Sculpture, targets: Vec<ViewTarget>, result: ResultReport) -> Made {
+    pub(crate) fn new(sculpture: Sculpture, targets: Vec<ViewTarget>, result: ResultReport) -> Made {
         Made { sculpture, targets, shown: Vec::new(), result }
     }
 
     /// With what each view shows of it as the fit sees it.
-    pub(super) fn with_shown(self, shown: Vec<Ink>) -> Made {
+    pub(crate) fn with_shown(self, shown: Vec<Ink>) -> Made {
         Made { shown, ..self }
     }
 
@@ -91,7 +91,7 @@ impl Made {
         json(&self.result)
     }
 
-    /// Where it fails, as JSON: see [`crate::metrics::Faults`].
+    /// Where it fails, as JSON: see [`wire4d::metrics::Faults`].
     pub fn faults(&self) -> String {
         json(&elegance(&self.sculpture.wire).1)
     }
@@ -131,7 +131,7 @@ pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsE
 }
 
 /// The same of a wire that covers a solid, which hides what of an SVG's lines is behind it.
-pub(super) fn exported(file: &[u8], format: &str, view: &str, solid: Option<&Mesh>) -> Result<Vec<u8>> {
+pub(crate) fn exported(file: &[u8], format: &str, view: &str, solid: Option<&Mesh>) -> Result<Vec<u8>> {
     let sculpture = Sculpture::from_json("wire.json", file)?;
     let format = Format::from_path(&format!("wire.{format}"))?;
     let drawn = sculpture.views.iter().find(|known| known.name == view);

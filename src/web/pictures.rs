@@ -1,12 +1,12 @@
 //! Pictures and drawings on their way in, and ink on its way out.
 
-use super::json;
-use crate::picture::{Because, Picture, Polarity, Reading};
-use crate::settings::Settings;
-use crate::tasks::Placed;
-use crate::tasks::multiview::Drawing;
-use crate::view::Image;
+use crate::json;
 use wasm_bindgen::prelude::*;
+use wire4d::picture::{Because, Picture, Polarity, Reading};
+use wire4d::settings::Settings;
+use wire4d::tasks::Placed;
+use wire4d::tasks::multiview::Drawing;
+use wire4d::view::Image;
 
 /// Drawings for a preview or a run, in the order front, side, top.
 #[wasm_bindgen]
@@ -29,7 +29,7 @@ impl DrawingSet {
 }
 
 impl DrawingSet {
-    pub(super) fn drawings(&self) -> &[Drawing] {
+    pub(crate) fn drawings(&self) -> &[Drawing] {
         &self.0
     }
 }
@@ -90,7 +90,7 @@ pub struct Ink {
 }
 
 impl Ink {
-    pub(super) fn new(image: &Image) -> Ink {
+    pub(crate) fn new(image: &Image) -> Ink {
         let bytes = image.data.iter().map(|&ink| (ink * 255.0).round() as u8).collect();
         Ink { width: image.width, height: image.height, bytes }
     }
@@ -114,7 +114,7 @@ pub struct ViewTarget {
 
 impl ViewTarget {
     /// A view with `image` as what it should show.
-    pub(super) fn new(placed: Placed, image: &Image) -> ViewTarget {
+    pub(crate) fn new(placed: Placed, image: &Image) -> ViewTarget {
         ViewTarget { placed, ink: Ink::new(image) }
     }
 }

@@ -1,10 +1,10 @@
 //! What a person should know before a run.
 
-use super::pictures::{DrawingSet, Ink};
-use super::{json, parse_settings};
-use crate::settings::Task;
-use crate::tasks::multiview::preview;
+use crate::pictures::{DrawingSet, Ink};
+use crate::{json, parse_settings};
 use wasm_bindgen::prelude::*;
+use wire4d::settings::Task;
+use wire4d::tasks::multiview::preview;
 
 /// What two or three drawings come to before a run.
 #[wasm_bindgen]

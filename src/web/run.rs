@@ -1,16 +1,16 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
-use super::made::{Made, WireData};
-use super::pictures::{DrawingSet, Ink, ViewTarget};
-use super::subject::Subject;
-use super::surface::Surface;
-use super::{json, parse_settings};
-use crate::Result;
-use crate::optimize::Session;
-use crate::settings::{Settings, Task};
-use crate::tasks::{self, fill, multiview, stroke};
-use crate::view::{Image, Target};
+use crate::made::{Made, WireData};
+use crate::pictures::{DrawingSet, Ink, ViewTarget};
+use crate::subject::Subject;
+use crate::surface::Surface;
+use crate::{json, parse_settings};
 use wasm_bindgen::prelude::*;
+use wire4d::Result;
+use wire4d::optimize::Session;
+use wire4d::settings::{Settings, Task};
+use wire4d::tasks::{self, fill, multiview, stroke};
+use wire4d::view::{Image, Target};
 
 /// Iterations after which the page is asked whether to go on at all.
 const MOST_AT_ONCE: usize = 64;
@@ -172,7 +172,7 @@ impl Run {
         Ok(json(&events))
     }
 
-    /// Where the fit is computed now, and why, as JSON: see [`super::place`].
+    /// Where the fit is computed now, and why, as JSON: see [`crate::place`].
     pub fn place(&self) -> String {
         json(&self.session().place())
     }

@@ -1,11 +1,11 @@
 //! One picture and its object on their way in.
 
-use super::json;
-use super::pictures::Ink;
-use crate::picture::{Object, Picture, find_object as find};
-use crate::tasks::stroke::Given;
-use crate::view::Image;
+use crate::json;
+use crate::pictures::Ink;
 use wasm_bindgen::prelude::*;
+use wire4d::picture::{Object, Picture, find_object as find};
+use wire4d::tasks::stroke::Given;
+use wire4d::view::Image;
 
 /// One picture for a run, and what a person says of it.
 #[wasm_bindgen]
@@ -41,7 +41,7 @@ impl Subject {
 }
 
 impl Subject {
-    pub(super) fn given(&self) -> &Given {
+    pub(crate) fn given(&self) -> &Given {
         &self.0
     }
 }

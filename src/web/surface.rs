@@ -1,16 +1,16 @@
 //! A shape on its way in, and how a wire would run over it.
 
-use super::made::{WireData, exported};
-use super::pictures::Ink;
-use super::{json, parse_settings};
-use crate::mesh::{Mesh, Shape};
-use crate::picture::{Pattern, Picture, Polarity, Reading};
-use crate::settings::{Affects, Flow, Settings, Task};
-use crate::start::Filling;
-use crate::tasks::fill::{self, Given, Plan, Style};
-use crate::wire::Wire;
-use crate::{Error, Result};
+use crate::made::{WireData, exported};
+use crate::pictures::Ink;
+use crate::{json, parse_settings};
 use wasm_bindgen::prelude::*;
+use wire4d::mesh::{Mesh, Shape};
+use wire4d::picture::{Pattern, Picture, Polarity, Reading};
+use wire4d::settings::{Affects, Flow, Settings, Task};
+use wire4d::start::Filling;
+use wire4d::tasks::fill::{self, Given, Plan, Style};
+use wire4d::wire::Wire;
+use wire4d::{Error, Result};
 
 /// Width of the line that shows how a wire would run, as a share of the lines' distance.
 const THIN: f64 = 0.12;
@@ -136,7 +136,7 @@ impl Surface {
     }
 
     /// All that a fit needs.
-    pub(super) fn plan(&mut self, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Plan> {
+    pub(crate) fn plan(&mut self, settings: &Settings, progress: &mut dyn FnMut(f32) -> bool) -> Result<Plan> {
         let filling = self.filling(settings, progress)?;
         fill::plan_over(&self.given, filling, settings)
     }

@@ -1,11 +1,11 @@
 //! Whole fits of every task.
 
 mod fill_runs;
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 mod preview;
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 mod quality;
 mod resume;
-#[cfg(feature = "cli")]
+#[cfg(feature = "files")]
 mod stroke_pictures;
 mod stroke_runs;

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::page;
 use crate::setup;
-use crate::shell::{command, run as run_command, say};
+use crate::shell::{command, run as run_command, say, www};
 
 pub const HELP: &str = "measure the page's sizes, Lighthouse's scores and a slowed-down run against their limits";
 
@@ -18,6 +18,6 @@ pub fn run(options: &[String]) -> Result {
     page::bundle()?;
     say("measuring the page; other work on this machine makes all but its sizes worse");
     let mut node = command("node");
-    node.current_dir(page::folder()).arg("tests/budget/run.mjs").args(options).env("CHROMIUM", chromium);
+    node.current_dir(www()).arg("tests/budget/run.mjs").args(options).env("CHROMIUM", chromium);
     run_command(&mut node).map_err(|_| "a limit does not hold, or it could not be measured; see above".into())
 }

@@ -9,6 +9,11 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("xtask lies in the root").to_owned()
 }
 
+/// The page's folder.
+pub fn www() -> PathBuf {
+    root().join("www")
+}
+
 /// One line about what happens next.
 pub fn say(line: impl std::fmt::Display) {
     println!("xtask: {line}");

@@ -4,6 +4,7 @@ use crate::Result;
 use crate::page;
 use crate::setup;
 use crate::shell::{command, run as run_command, say};
+use crate::wasm;
 
 pub const HELP: &str = "run every test there is, or only those of one part";
 
@@ -28,7 +29,8 @@ pub fn run(options: &[String]) -> Result {
     Ok(())
 }
 
-/// The workspace's own tests; the libraries are also compiled the way the page uses them, by `page::prepare`.
+/// The workspace's own tests; the libraries are also compiled the way the page uses them, by `page::prepare`, and here as
+/// others may use them for wasm.
 fn rust() -> Result {
     // The glTF validator that exported files are held against is one of them.
     page::install_packages()?;
@@ -39,7 +41,8 @@ fn rust() -> Result {
     if setup::software_vulkan() {
         cargo.env("WIRE4D_REQUIRE_GPU", "1");
     }
-    run_command(&mut cargo)
+    run_command(&mut cargo)?;
+    wasm::check_library()
 }
 
 /// Types and units of the page, and nothing said twice anywhere.

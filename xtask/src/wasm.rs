@@ -2,9 +2,8 @@
 //! input has not changed are skipped.
 
 use crate::Result;
-use crate::page;
 use crate::setup;
-use crate::shell::{command, find_program, output, root, run, say, succeeds};
+use crate::shell::{command, find_program, output, root, run, say, succeeds, www};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -26,19 +25,29 @@ const WASM_FEATURES: &[&str] = &[
     "--enable-reference-types",
 ];
 
-/// What the page fetches at once, and what it fetches when somebody brings a mesh.
-const MODULES: [&str; 2] = ["wire4d", "wire4d_model"];
+/// What the page fetches at once, and what it fetches when somebody brings a mesh: the crates and the names they have
+/// there.
+const MODULES: [[&str; 2]; 2] = [["wire4d-web", "wire4d"], ["wire4d-web-meshes", "wire4d_model"]];
 
 /// Builds `{.js,.d.ts,_bg.wasm}` of each module in `www/src/engine/wasm`; needs the page's packages (for wasm-opt).
 pub fn build() -> Result {
-    compile()?;
-    MODULES.iter().try_for_each(|name| finish(name))
+    let packages = MODULES.iter().flat_map(|[package, _]| ["--package", package]);
+    let mut cargo = cargo("build")?;
+    run(cargo.args(packages).args(["--profile", "wasm"]))?;
+    MODULES.iter().try_for_each(|[package, name]| finish(package, name))
+}
+
+/// Whether the library compiles for others as the README says that they may use it.
+pub fn check_library() -> Result {
+    let mut cargo = cargo("check")?;
+    run(cargo.args(["--package", "wire4d", "--no-default-features", "--features", "threads", "--profile", "wasm"]))
 }
 
 /// Binds and optimises a compiled module.
-fn finish(name: &str) -> Result {
-    let compiled = root().join(TARGET_DIR).join(TARGET).join(format!("wasm/{name}.wasm"));
-    let out_dir = root().join("www/src/engine/wasm");
+fn finish(package: &str, name: &str) -> Result {
+    let compiled =
+        root().join(TARGET_DIR).join(TARGET).join("wasm").join(package.replace('-', "_")).with_extension("wasm");
+    let out_dir = www().join("src/engine/wasm");
     let stamp = out_dir.join(format!("{name}.stamp"));
     let bytes = std::fs::read(&compiled).map_err(|error| format!("cannot read {}: {error}", compiled.display()))?;
     let fingerprint = fingerprint(&bytes)?;
@@ -62,35 +71,23 @@ fn fingerprint(compiled: &[u8]) -> Result<String> {
     compiled.hash(&mut hasher);
     WASM_FEATURES.hash(&mut hasher);
     std::fs::read(root().join("Cargo.lock"))?.hash(&mut hasher);
-    std::fs::read(root().join("www/package-lock.json"))?.hash(&mut hasher);
+    std::fs::read(www().join("package-lock.json"))?.hash(&mut hasher);
     Ok(format!("{:016x}", hasher.finish()))
 }
 
-/// Compiles by the first route that works: the target of the person's own toolchain (installed, or added through
+/// Cargo for wasm by the first route that works: the target of the person's own toolchain (installed, or added through
 /// rustup), else Debian's compiler, which carries the standard library's source.
-fn compile() -> Result {
+fn cargo(verb: &str) -> Result<Command> {
     let own = own_target_installed() || (find_program(&["rustup"]).is_some() && add_target());
-    let mut cargo = if own {
-        say(format!("compiling the core for {TARGET}"));
-        let mut cargo = command("cargo");
-        cargo.env("RUSTFLAGS", RUSTFLAGS);
-        cargo
-    } else {
-        debian_cargo()?
-    };
-    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").args([
-        "build",
-        "--locked",
-        "--lib",
-        "--package",
-        "wire4d",
-        "--package",
-        "wire4d-model",
-        "--no-default-features",
-        "--features",
-        "wire4d/gpu",
-    ]);
-    run(cargo.args(["--profile", "wasm", "--target", TARGET, "--target-dir", TARGET_DIR]))
+    let mut cargo = if own { command("cargo") } else { debian_cargo()? };
+    say(format!("{verb} for {TARGET} with {}", if own { "the toolchain at hand" } else { "Debian's compiler" }));
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").env("RUSTFLAGS", RUSTFLAGS);
+    cargo.args([verb, "--locked", "--target", TARGET, "--target-dir", TARGET_DIR]);
+    if !own {
+        // A nightly option; the bootstrap variable opens it on a release compiler.
+        cargo.env("RUSTC_BOOTSTRAP", "1").arg("-Zbuild-std=std,panic_abort");
+    }
+    Ok(cargo)
 }
 
 fn own_target_installed() -> bool {
@@ -111,16 +108,13 @@ fn debian_cargo() -> Result<Command> {
         let packages = ["rustc-web", "cargo-web", "rust-web-src", "rust-web-llvm", "lld-22"];
         setup::install(&format!("a Rust compiler for {TARGET} (or run `rustup target add {TARGET}`)"), &packages)?;
     }
-    say(format!("compiling the core for {TARGET} with Debian's compiler, standard library included"));
     let mut cargo = command(DEBIAN_CARGO);
     // `cargo run` through rustup leaves variables that would lead Debian's cargo back to rustup's compiler or libraries.
     for name in ["CARGO", "RUSTUP_TOOLCHAIN", "RUSTC_WRAPPER", "RUSTC_WORKSPACE_WRAPPER", "LD_LIBRARY_PATH", "RUSTDOC"]
     {
         cargo.env_remove(name);
     }
-    cargo.env("RUSTC", DEBIAN_RUSTC).env("RUSTFLAGS", RUSTFLAGS);
-    // -Zbuild-std is a nightly option; the bootstrap variable opens it on a release compiler.
-    cargo.env("RUSTC_BOOTSTRAP", "1").arg("-Zbuild-std=std,panic_abort");
+    cargo.env("RUSTC", DEBIAN_RUSTC);
     Ok(cargo)
 }
 
@@ -145,6 +139,6 @@ fn bind(name: &str, compiled: &Path, out_dir: &Path) -> Result {
 
 fn optimise(module: &Path) -> Result {
     say("running wasm-opt");
-    let wasm_opt = page::folder().join("node_modules/binaryen/bin/wasm-opt");
+    let wasm_opt = www().join("node_modules/binaryen/bin/wasm-opt");
     run(command("node").arg(wasm_opt).arg(module).arg("-O3").args(WASM_FEATURES).arg("-o").arg(module))
 }

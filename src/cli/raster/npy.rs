@@ -1,7 +1,7 @@
 //! The one array format scripts exchange pictures in: NumPy's .npy, two dimensions, C order.
 
-use crate::view::Image;
-use crate::{Error, Result};
+use wire4d::view::Image;
+use wire4d::{Error, Result};
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 

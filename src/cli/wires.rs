@@ -10,7 +10,6 @@ use wire4d::mesh::Mesh;
 use wire4d::metrics::ResultReport;
 use wire4d::picture::{GreyDepth, read_picture, write_png};
 use wire4d::raster::{SELF_CHECK_TOLERANCE, self_check};
-use wire4d::scene::{self, SceneJob};
 use wire4d::sculpture::{self, Sculpture};
 use wire4d::settings::Settings;
 use wire4d::tasks::multiview::Drawing;
@@ -99,35 +98,6 @@ pub fn open(matches: &ArgMatches) -> Result<()> {
     Ok(())
 }
 
-/// `wire4d raster`.
-pub fn raster(matches: &ArgMatches) -> Result<()> {
-    let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
-    let job = SceneJob {
-        scene: args::path(matches, "scene").to_owned(),
-        target: path("target"),
-        out: path("out"),
-        grad: path("grad"),
-        repeat: matches.get_one::<u32>("repeat").copied(),
-    };
-    let on_gpu = matches.get_one::<String>("backend").is_some_and(|backend| backend == "gpu");
-    let line = if on_gpu { draw_on_device(&job)? } else { scene::run(&job, None)? };
-    line.iter().for_each(|line| println!("{line}"));
-    Ok(())
-}
-
-#[cfg(feature = "gpu")]
-fn draw_on_device(job: &SceneJob) -> Result<Option<String>> {
-    use wire4d::gpu::{Device, GpuRaster, Kind};
-    let mut raster = GpuRaster::new(&Device::acquire(Kind::Any)?);
-    let line = scene::run(job, Some(("gpu", &mut raster)))?;
-    raster.trouble().map_or(Ok(line), |fault| Err(fault.clone().into()))
-}
-
-#[cfg(not(feature = "gpu"))]
-fn draw_on_device(_: &SceneJob) -> Result<Option<String>> {
-    Err(Error::setting("--backend", "this build computes on the processor alone", "use auto or cpu"))
-}
-
 /// `wire4d device`.
 pub fn device(_: &ArgMatches) -> Result<()> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -147,7 +117,6 @@ pub fn device(_: &ArgMatches) -> Result<()> {
 
 /// The device that `--backend gpu` would take, its limits, and whether it computes what the processor does; and what
 /// `auto` would take.
-#[cfg(feature = "gpu")]
 fn graphics_card() -> Result<()> {
     use wire4d::gpu::{Device, GpuEngine, Kind, Parity, self_check};
     use wire4d::optimize::wait;
@@ -165,13 +134,6 @@ fn graphics_card() -> Result<()> {
     }
     let place = wait(wire4d::tasks::place(wire4d::settings::Backend::Auto))?;
     println!("auto: {}, {}", place.backend, place.why);
-    Ok(())
-}
-
-/// No device without the feature.
-#[cfg(not(feature = "gpu"))]
-fn graphics_card() -> Result<()> {
-    println!("backend: gpu, not in this build");
     Ok(())
 }
 

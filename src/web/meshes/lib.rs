@@ -1,7 +1,7 @@
 //! Reading as the page's worker sees it: a module of its own, which hands over to the main one what it read.
 
-use crate::{Mended, Up};
 use wasm_bindgen::prelude::*;
+use wire4d_model::{Mended, Up};
 
 /// A mesh from a file, read and mended.
 #[wasm_bindgen]
@@ -12,7 +12,7 @@ impl MeshFile {
     /// Reads a file; `name` is what the person calls it, and `up` the axis that points up in it: `y`, `z`, or nothing for
     /// what is usual for its kind.
     pub fn read(name: &str, file: &[u8], up: Option<String>) -> Result<MeshFile, JsError> {
-        Ok(MeshFile(crate::read_mesh(name, file, up.as_deref().and_then(Up::named))?))
+        Ok(MeshFile(wire4d_model::read_mesh(name, file, up.as_deref().and_then(Up::named))?))
     }
 
     /// x, y, z of each corner, world units, again and again.

@@ -1,17 +1,16 @@
 //! One 2D scene, as JSON: a polynomial cubic Bézier stroke in pixels, for measuring accuracy and speed.
 
-pub mod npy;
-
-use crate::raster::flatten::{FlatStroke, Subdivision};
-use crate::raster::{ExactRaster, Raster};
-use crate::view::Image;
-use crate::{Error, Result};
+use wire4d::raster::flatten::{FlatStroke, Subdivision};
+use wire4d::raster::{ExactRaster, Raster};
+use wire4d::view::Image;
+use wire4d::{Error, Result};
 
 /// Chords leave their Bézier by at most this many pixels.
 const TOLERANCE_PX: f32 = 0.02;
 /// With fewer pieces a Bézier (on average) vertices see too little of the inner control values; moments do.
 const LEAST_PIECES_FOR_VERTICES: f32 = 4.0;
-const MOST_PIXELS_A_SIDE: usize = 8192;
+/// Largest side of a scene.
+pub const MOST_PIXELS_A_SIDE: usize = 8192;
 const MOST_CONTROL_VALUES: usize = 100_000;
 const FARTHEST_PX: f64 = 1e6;
 
@@ -123,148 +122,6 @@ pub fn mean_squared_error(coverage: &[f32], target: &Image, d_coverage: &mut Vec
     d_coverage.clear();
     d_coverage.extend(coverage.iter().zip(&target.data).map(|(c, t)| (2.0 / count) as f32 * (c - t)));
     coverage.iter().zip(&target.data).map(|(c, t)| f64::from(c - t) * f64::from(c - t)).sum::<f64>() / count
-}
-
-#[cfg(feature = "cli")]
-pub use runner::{SceneJob, run};
-
-#[cfg(feature = "cli")]
-mod runner {
-    use super::*;
-    use crate::files::{read_at_most, write_whole};
-    use crate::scene::npy;
-    use std::path::{Path, PathBuf};
-    use std::time::Instant;
-
-    /// A target of the largest size in 8-byte numbers fits.
-    const MOST_FILE_BYTES: usize = (8 * MOST_PIXELS_A_SIDE * MOST_PIXELS_A_SIDE) + 4096;
-
-    /// What `wire4d raster` is asked to do.
-    #[derive(Debug, Clone, Default)]
-    pub struct SceneJob {
-        /// The scene's JSON.
-        pub scene: PathBuf,
-        /// Target coverage (.npy) for the loss.
-        pub target: Option<PathBuf>,
-        /// Where to write the coverage (.npy).
-        pub out: Option<PathBuf>,
-        /// Where to write loss and gradient (.json); needs a target.
-        pub grad: Option<PathBuf>,
-        /// How many runs to time.
-        pub repeat: Option<u32>,
-    }
-
-    #[derive(serde::Serialize)]
-    struct Gradient {
-        d_points: Vec<[f32; 2]>,
-        d_radius: Vec<f32>,
-        loss: f64,
-    }
-
-    #[derive(serde::Serialize)]
-    struct Timing {
-        scene: String,
-        forward_ms: f64,
-        backward_ms: f64,
-        backend: &'static str,
-    }
-
-    /// Draws the scene, with a rasteriser named `backend` or the processor's, writes what is asked for and returns the
-    /// line of timings, if any.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for a scene or target that is not one; [`Error::Setting`] for `grad` without a target;
-    /// [`Error::Output`] if a file cannot be written.
-    pub fn run(job: &SceneJob, on: Option<(&'static str, &mut dyn Raster)>) -> Result<Option<String>> {
-        let scene = Scene::from_json(&name_of(&job.scene), &read(&job.scene)?)?;
-        let target = match &job.target {
-            Some(path) => Some(read_target(path, scene.size)?),
-            None if job.grad.is_some() => {
-                return Err(Error::setting("--grad", "needs a target to compare with", "add --target T.npy"));
-            }
-            None => None,
-        };
-        // From here on a worker of the thread pool: passing work to it from outside costs a wake-up every time.
-        #[cfg(feature = "threads")]
-        return rayon::scope(|_| draw(job, &scene, target.as_ref(), on));
-        #[cfg(not(feature = "threads"))]
-        draw(job, &scene, target.as_ref(), on)
-    }
-
-    fn draw(
-        job: &SceneJob,
-        scene: &Scene,
-        target: Option<&Image>,
-        on: Option<(&'static str, &mut dyn Raster)>,
-    ) -> Result<Option<String>> {
-        let (backend, mut raster) = match on {
-            Some((name, raster)) => (name, SceneRaster::on(raster)),
-            None => ("cpu", SceneRaster::new()),
-        };
-        let (mut d_coverage, mut d_control) = (Vec::new(), Vec::new());
-        let coverage = raster.forward(scene);
-        if let Some(path) = &job.out {
-            write_whole(path, &npy::encode(scene.size, scene.size, coverage))?;
-        }
-        match target {
-            Some(target) => {
-                let loss = mean_squared_error(coverage, target, &mut d_coverage);
-                if let Some(path) = &job.grad {
-                    raster.backward(&d_coverage, &mut d_control);
-                    let d_points = d_control.iter().map(|d| [d[0], d[1]]).collect();
-                    let gradient = Gradient { d_points, d_radius: d_control.iter().map(|d| d[2]).collect(), loss };
-                    write_whole(path, json(&job.scene, &gradient)?.as_bytes())?;
-                }
-            }
-            None => d_coverage.resize(coverage.len(), 1.0 / coverage.len() as f32),
-        }
-        let Some(repeat) = job.repeat else { return Ok(None) };
-        let (mut forward, mut backward) = (Vec::new(), Vec::new());
-        // The first few runs warm up.
-        for run in 0..repeat.max(1) + 3 {
-            let start = Instant::now();
-            raster.forward(scene);
-            let middle = Instant::now();
-            raster.backward(&d_coverage, &mut d_control);
-            if run >= 3 {
-                forward.push((middle - start).as_secs_f64() * 1e3);
-                backward.push(middle.elapsed().as_secs_f64() * 1e3);
-            }
-        }
-        let (forward_ms, backward_ms) = (median(forward), median(backward));
-        let scene_name = job.scene.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        json(&job.scene, &Timing { scene: scene_name, forward_ms, backward_ms, backend }).map(Some)
-    }
-
-    fn median(mut values: Vec<f64>) -> f64 {
-        values.sort_unstable_by(f64::total_cmp);
-        values[values.len() / 2]
-    }
-
-    fn json(path: &Path, value: &impl serde::Serialize) -> Result<String> {
-        serde_json::to_string(value)
-            .map_err(|problem| Error::output(name_of(path), format!("cannot be reported ({problem})"), "report this"))
-    }
-
-    fn name_of(path: &Path) -> String {
-        path.display().to_string()
-    }
-
-    fn read(path: &Path) -> Result<Vec<u8>> {
-        let bytes = read_at_most(path, MOST_FILE_BYTES).map_err(|problem| {
-            Error::input(name_of(path), format!("cannot be read ({problem})"), "check the name and that it may be read")
-        })?;
-        bytes.ok_or_else(|| Error::input(name_of(path), "is larger than any scene or target", "give another file"))
-    }
-
-    fn read_target(path: &Path, size: usize) -> Result<Image> {
-        let target = npy::decode(&name_of(path), &read(path)?)?;
-        if (target.width, target.height) != (size, size) {
-            let problem = format!("is {} x {}, the scene {size} x {size}", target.width, target.height);
-            return Err(Error::input(name_of(path), problem, "give a target of the scene's size"));
-        }
-        Ok(target)
-    }
 }
 
 #[cfg(test)]

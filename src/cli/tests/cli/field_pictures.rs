@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn field(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/field").join(name)
+    crate::repository().join("tests/field").join(name)
 }
 
 fn text(path: &Path) -> &str {

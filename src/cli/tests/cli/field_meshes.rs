@@ -6,7 +6,7 @@ use wire4d::mesh::Mesh;
 use wire4d::model::{Up, read_mesh};
 
 fn file(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/field").join(path)
+    crate::repository().join("tests/field").join(path)
 }
 
 /// Width, height and depth.

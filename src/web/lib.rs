@@ -8,10 +8,10 @@ mod run;
 mod subject;
 mod surface;
 
-use crate::settings::{OnOff, Preset, Settings, Task};
-use crate::{Error, Result};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
+use wire4d::settings::{OnOff, Preset, Settings, Task};
+use wire4d::{Error, Result};
 
 /// Panics become readable errors in the browser's console.
 #[wasm_bindgen(start)]
@@ -45,16 +45,16 @@ fn task_of(word: &str) -> Result<Task> {
 #[wasm_bindgen]
 pub async fn place(backend: String) -> Result<String, JsError> {
     let settings = Task::Multiview.settings([("backend", backend.as_str())])?;
-    Ok(json(&crate::tasks::place(settings.backend).await?))
+    Ok(json(&wire4d::tasks::place(settings.backend).await?))
 }
 
 /// How far the best device, be it a program, is from the processor on a spiral and on hostile wires, as JSON. With a
 /// `skew` other than 1 every comparison must fail.
 #[wasm_bindgen]
 pub async fn parities(skew: f32) -> Result<String, JsError> {
-    use crate::gpu::{Device, GpuEngine, Kind};
+    use wire4d::gpu::{Device, GpuEngine, Kind};
     let device = Device::acquire_async(Kind::Any).await.map_err(Error::from)?;
-    Ok(json(&crate::gpu::parities(&mut GpuEngine::new(&device, ""), skew).await))
+    Ok(json(&wire4d::gpu::parities(&mut GpuEngine::new(&device, ""), skew).await))
 }
 
 /// Settings from a JSON object of texts by name.

@@ -6,8 +6,13 @@ mod fill;
 mod folder;
 mod making;
 mod multiview;
+mod raster;
 mod stroke;
 mod wires;
+
+#[cfg(test)]
+#[path = "../core/few_cases.rs"]
+mod few_cases;
 
 use std::process::ExitCode;
 
@@ -40,7 +45,7 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
         Some(("export", matches)) => wires::export(matches),
         Some(("share", matches)) => wires::share(matches),
         Some(("open", matches)) => wires::open(matches),
-        Some(("raster", matches)) => wires::raster(matches),
+        Some(("raster", matches)) => raster::run(matches),
         Some(("device", matches)) => wires::device(matches),
         _ => unreachable!("clap asks for a known verb"),
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn drawing(set: &str, view: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawings").join(set).join(format!("{view}.png"))
+    crate::repository().join("tests/drawings").join(set).join(format!("{view}.png"))
 }
 
 fn wire4d(arguments: &[&str]) -> Output {
@@ -519,7 +519,6 @@ fn bad_input_is_refused_in_one_line_and_leaves_nothing_behind() {
     assert_eq!(left, made, "nothing was left behind");
 }
 
-#[cfg(feature = "gpu")]
 #[test]
 fn a_fit_on_a_device_says_so() {
     let folder = tempfile::tempdir().unwrap();

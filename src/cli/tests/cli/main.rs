@@ -1,0 +1,10 @@
+//! The command line: its verbs, and the files that people have.
+
+mod field_meshes;
+mod field_pictures;
+mod verbs;
+
+/// Where `tests/drawings` and `tests/field` lie.
+fn repository() -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
