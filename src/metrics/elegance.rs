@@ -39,6 +39,7 @@ const CELL: f64 = 2.0 * GAUGE;
 /// Figures of how a wire runs; all 0 for one that has no length. Units are the farthest point's distance from the
 /// middle of the wire's box.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(default)]
 pub struct Elegance {
     /// Mean curvature, radians a unit.
@@ -56,6 +57,7 @@ pub struct Elegance {
 
 /// Where a wire fails, world units: a place for every stretch that does.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Faults {
     /// Where it has kinks.
     pub kinks: Vec<[f64; 3]>,

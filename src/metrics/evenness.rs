@@ -14,6 +14,7 @@ const BINS: usize = 21;
 
 /// Figures of a closed curve on a mesh. Distances are in spacings, between places on the same side of the surface.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Evenness {
     /// From places spread evenly over the surface to the curve; a quarter is the ideal for parallel strands.
     pub mean: f64,

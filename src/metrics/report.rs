@@ -121,6 +121,7 @@ pub struct EventReport {
 
 /// The `result` part: views, then the shape of the wire.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct ResultReport {
     /// One entry a view.
     pub views: Vec<ViewReport>,
@@ -139,6 +140,7 @@ pub struct ResultReport {
 
 /// How well one view matches its drawing, arranged but not bent. `null` where there is no drawing to compare with.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct ViewReport {
     /// Name of the view.
     pub name: String,
@@ -159,6 +161,7 @@ pub struct ViewReport {
     /// How alike rendering and target look, by yardstick ([`super::perceptual`]), at 256 px; a field each. Empty where
     /// there is no drawing to compare with.
     #[serde(flatten, deserialize_with = "numbers")]
+    #[cfg_attr(feature = "typescript", ts(skip))]
     pub perceptual: BTreeMap<String, f64>,
 }
 
@@ -175,6 +178,7 @@ fn numbers_of(fields: Map<String, Value>) -> BTreeMap<String, f64> {
 
 /// How well one view matches its bent drawing, and how far bending moved the ink.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct BentReport {
     /// As [`ViewReport::soft_iou`].
     pub soft_iou: f64,

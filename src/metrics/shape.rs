@@ -19,6 +19,7 @@ const LENGTH_ACCURACY: f64 = 1e-6;
 
 /// Figures of the wire's shape. World units, in which the object fits the unit ball.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct ShapeMetrics {
     /// Arc length of the visible parts. A part is visible where its width in the widest view is a quarter of a pixel at
     /// 256 px or more.

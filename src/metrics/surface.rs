@@ -11,6 +11,7 @@ const SAMPLES_PER_SPAN: usize = 8;
 
 /// Figures of a wire on a surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct SurfaceReport {
     /// Distance between neighbouring lines that was asked for, world units.
     pub spacing: f64,

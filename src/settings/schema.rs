@@ -7,6 +7,7 @@ use serde_json::Value;
 
 /// Where a control is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Group {
     /// What is run.
@@ -27,6 +28,7 @@ pub enum Group {
 
 /// What values a setting takes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Kind {
     /// A whole number in `min..=max`.
@@ -63,6 +65,7 @@ pub struct Of {
 
 /// What a setting changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum Affects {
     /// How the fit goes: a run may go on with another value.
@@ -83,6 +86,7 @@ pub enum Affects {
 
 /// One row of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Setting {
     /// Snake case; the flag is the same with dashes.
     pub name: &'static str,

@@ -11,6 +11,7 @@ use crate::wire::Wire;
 
 /// How a picture was laid into a view.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Placed {
     /// The view that shows it.

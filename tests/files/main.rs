@@ -1,4 +1,4 @@
-//! Files and links, in and out.
+//! Files and links, in and out, and what the page is handed.
 
 mod export_files;
 mod export_mesh;
@@ -11,6 +11,7 @@ mod gltf_pose;
 mod mesh_common;
 mod mesh_files;
 mod mesh_hostile;
+mod page_types;
 #[cfg(feature = "files")]
 mod picture_files;
 mod three_mf;

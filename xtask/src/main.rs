@@ -17,6 +17,7 @@ mod strokes;
 mod tables;
 mod test;
 mod tube;
+mod types;
 mod wasm;
 
 use std::process::ExitCode;
@@ -41,6 +42,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },
     Verb { name: "tables", options: "[--quick] [--only NAME]", help: tables::HELP, run: tables::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
+    Verb { name: "types", options: "", help: types::HELP, run: types::run },
 ];
 
 fn main() -> ExitCode {

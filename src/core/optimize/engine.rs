@@ -204,8 +204,10 @@ impl Tally {
 
 /// Where an engine computes.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Place {
     /// `cpu` or `gpu`.
+    #[cfg_attr(feature = "typescript", ts(type = "\"cpu\" | \"gpu\""))]
     pub backend: &'static str,
     /// The device's own name.
     pub device: String,

@@ -4,6 +4,7 @@ use super::term::{Term, term_count};
 
 /// What kind of thing happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum EventKind {
     /// A stage began; the count is its number from 1.
@@ -27,6 +28,7 @@ pub enum EventKind {
 
 /// Something that happened before the iteration of that number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Event {
     /// Iterations done before it.
     pub iteration: usize,

@@ -24,6 +24,7 @@ pub enum Projection {
 ///
 /// Serialises as wire.json's `views` and is checked ([`View::check`]) when read.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(as = "super::spec::Record"))]
 #[serde(into = "super::spec::Record", try_from = "super::spec::Record")]
 pub struct View {
     /// `front`, `side`, `top` or the person's own.

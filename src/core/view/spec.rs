@@ -14,6 +14,7 @@ const MAX_WORLD: f64 = 1e6;
 
 /// A view as wire.json has it: `projection` says which of the two sizes is there.
 #[derive(Debug, Clone, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "View"))]
 pub(super) struct Record {
     name: String,
     projection: Kind,
@@ -29,6 +30,7 @@ pub(super) struct Record {
 }
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "ProjectionKind"))]
 #[serde(rename_all = "lowercase")]
 enum Kind {
     Perspective,

@@ -17,6 +17,7 @@ pub const SEEN_PX: usize = 256;
 
 /// What two or three drawings come to before a run.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Preview {
     /// One a drawing, in the order they were given.
@@ -35,6 +36,7 @@ pub struct Preview {
 
 /// A drawing as the fit will see it.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct DrawingPreview {
     /// Where it went.
@@ -50,6 +52,7 @@ pub struct DrawingPreview {
 
 /// What one choice of `bend` comes to. `None` where only the fit can tell.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct BendPreview {
     /// The choice.

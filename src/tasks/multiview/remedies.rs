@@ -10,6 +10,7 @@ use serde::Serialize;
 
 /// Something a person can do to the drawings with one click.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Remedy {
     /// What.
@@ -24,6 +25,7 @@ pub struct Remedy {
 
 /// What a remedy does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum RemedyKind {
     /// Switches `arrange` on.
