@@ -22,8 +22,10 @@ pub(super) struct Record {
     target: [f64; 3],
     up: [f64; 3],
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     fov_y_rad: Option<f64>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
     height_world: Option<f64>,
     width_px: usize,
     height_px: usize,

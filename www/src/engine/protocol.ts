@@ -1,10 +1,14 @@
 /** The messages between page and worker. Each request gets exactly one answer; a run also sends news on its way. */
 
-import type { Vec3 } from "../embed/matrix";
 import type { WireShape } from "../embed/shape";
 import type { View } from "../embed/view";
+import type * as core from "./generated/core";
 
 export type { View };
+export type { Affects } from "./generated/core";
+
+/** What the core says, which nobody writes to. */
+type Said<T> = { readonly [K in keyof T]: Said<T[K]> };
 
 /** Straight (not premultiplied) RGBA, row by row from the top left. */
 export interface Pixels {
@@ -123,76 +127,35 @@ export type Work =
   | { readonly job: "fill"; readonly covered: Covered };
 
 /** How a drawing was laid into a view. */
-export interface Placed {
-  readonly view: View;
-  /** Which of the drawings it is, from 0; null for a side that nobody gave. */
-  readonly source: number | null;
-  readonly mirrored: boolean;
-  /** Counter-clockwise, after mirroring. */
-  readonly quarterTurns: number;
-  /** Share of its ink that any object at all could show, 0 to 1. */
-  readonly coverable: number;
-}
+export type Placed = Said<core.Placed>;
 
 /** A view and the ink it should show. */
 export interface Target extends Placed, Ink {}
 
 /** What a person should know before a run. */
-export interface Preview {
+export interface Preview extends Omit<Said<core.Preview>, "drawings"> {
   /** One a drawing, in the order they were given. */
   readonly drawings: readonly DrawingPreview[];
-  /** Mean over the views of the share of ink that any object could show, as arranged now. */
-  readonly coverable: number;
-  /** The same with every drawing where it was put, upright and not mirrored. */
-  readonly asGiven: number;
-  /** What would help, best first; only what gains at least one in a hundred. */
-  readonly remedies: readonly Remedy[];
-  /** What each choice of `bend` would come to. */
-  readonly bends: readonly BendPreview[];
-  /** What the core has to say about the drawings, in sentences. */
-  readonly notes: readonly string[];
 }
 
 /** A drawing as the optimiser will see it: lines thickened, laid back upright onto the drawing as given. */
-export interface DrawingPreview extends Placed {
+export interface DrawingPreview extends Said<core.DrawingPreview> {
   readonly seen: Ink;
   /** The part of `seen` that no object can show together with the other drawings; same size. */
   readonly missing: Ink;
 }
 
 /** Something a person can do to the drawings with one click. */
-export interface Remedy {
-  readonly kind: "arrange" | "mirror" | "turn" | "swap";
-  /** The drawings it moves: one to mirror or turn, two to swap, all to arrange. */
-  readonly sources: readonly number[];
-  /** Counter-clockwise; for `turn`. */
-  readonly quarterTurns: number;
-  /** Mean share of ink that any object could show, after it. */
-  readonly coverable: number;
-}
+export type Remedy = Said<core.Remedy>;
 
-export interface BendPreview {
-  readonly bend: string;
-  /** Mean share of the bent ink that any object could show. Null where only the fit can tell. */
-  readonly coverable: number | null;
-  /** How much the bent drawings still are the drawings as given: soft IoU, 0 to 1. Null as above. */
-  readonly likeness: number | null;
-  /** How far ink moves on average, pixels of 256. Null as above. */
-  readonly movedPx: number | null;
-}
+export type BendPreview = Said<core.BendPreview>;
 
 /** Words of the setting that says where to compute. */
-export const BACKENDS = ["auto", "cpu", "gpu"] as const;
-export type Backend = (typeof BACKENDS)[number];
+export const BACKENDS = ["auto", "cpu", "gpu"] as const satisfies readonly core.Backend[];
+export type Backend = core.Backend;
 
 /** Where a fit is computed. */
-export interface Place {
-  readonly backend: "cpu" | "gpu";
-  /** The device's own name. */
-  readonly device: string;
-  /** Why there, a sentence for people. */
-  readonly why: string;
-}
+export type Place = Said<core.Place>;
 
 /** What the run is at. */
 export interface Frame {
@@ -205,11 +168,7 @@ export interface Frame {
 }
 
 /** Something that happened before the iteration of that number. */
-export interface RunEvent {
-  readonly iteration: number;
-  readonly kind: "stage" | "restart" | "reinit" | "refine" | "undone" | "done";
-  readonly count: number;
-}
+export type RunEvent = Said<core.Event>;
 
 /** A point of the run to look back at, and to go on from. */
 export interface Snapshot {
@@ -239,80 +198,38 @@ export interface Finished {
 }
 
 /** Where a wire fails, world units: a place for every stretch that does. */
-export interface Faults {
-  /** Bent tighter than a hand can bend. */
-  readonly tight: readonly Vec3[];
-  /** Inside another strand. */
-  readonly penetrating: readonly Vec3[];
-}
+export type Faults = Pick<Said<core.Faults>, "tight" | "penetrating">;
+
+type Result = Said<core.ResultReport>;
+/** What was not always measured: wires that were kept before may lack it. */
+type Later = "turning_per_unit" | "kinks" | "tight_share" | "touching_share" | "penetrating_share" | "length_over_lines";
 
 /** Numbers about a wire: the `result` part of report.json, as far as the page shows it. */
-export interface Measures {
+export interface Measures
+  extends Pick<Result, "components" | "connectivity_cost" | "length" | "control_points" | "min_width" | "max_width">,
+    Partial<Pick<Result, Later>> {
   readonly views: readonly ViewMeasures[];
-  readonly components: number;
-  /** World units of wire that would join the pieces; 0 for one piece. */
-  readonly connectivity_cost: number;
-  /** World units; the object fits the unit ball. */
-  readonly length: number;
-  readonly control_points: number;
-  /** World units. */
-  readonly min_width: number;
-  readonly max_width: number;
-  /** How it runs; not with wires that were kept before that was measured. Radians a unit, and shares of its length. */
-  readonly turning_per_unit?: number;
-  readonly kinks?: number;
-  readonly tight_share?: number;
-  readonly touching_share?: number;
-  readonly penetrating_share?: number;
-  /** Its length over that of the lines of all views' drawings; null without drawings. */
-  readonly length_over_lines?: number | null;
   /** Of a wire that covers a shape. */
   readonly surface?: SurfaceMeasures | null;
 }
 
 /** How evenly a wire covers a shape. */
-export interface SurfaceMeasures {
-  /** From line to line, as it was asked for, world units. */
-  readonly spacing: number;
-  /** From places of the surface to the wire, in spacings: the mean, what 99 of 100 are nearer than, the farthest. */
-  readonly mean: number;
-  readonly p99: number;
-  readonly worst: number;
-  /** How far it is off the surface, world units. */
-  readonly drift_mean: number;
-  readonly drift_max: number;
-  /** Share of the wire by the distance to the nearest other line: number `k` from `k / 10` spacings on. */
-  readonly strands: readonly number[];
-  /** Share of the wire that is nearer than half a spacing to another line. */
-  readonly crowded: number;
-}
+export type SurfaceMeasures = Pick<
+  Said<core.SurfaceReport>,
+  "spacing" | "mean" | "p99" | "worst" | "drift_mean" | "drift_max" | "strands" | "crowded"
+>;
 
-export interface ViewMeasures {
-  readonly name: string;
-  /** Against the drawing as given; null where there is none to compare with. */
-  readonly soft_iou: number | null;
-  readonly precision_2px: number | null;
-  readonly recall_2px: number | null;
-  /** Share of the drawing's ink that any object could show. */
-  readonly target_coverable: number | null;
+export interface ViewMeasures extends Pick<Said<core.ViewReport>, "name" | "soft_iou" | "precision_2px" | "recall_2px" | "target_coverable"> {
   /** Against the drawing as it was bent. */
-  readonly bent: { readonly soft_iou: number; readonly precision_2px: number; readonly recall_2px: number; readonly mean_px: number } | null;
+  readonly bent: Pick<Said<core.BentReport>, "soft_iou" | "precision_2px" | "recall_2px" | "mean_px"> | null;
 }
 
 /** A row of the core's settings table. */
-/** What a setting changes: see the core's `Affects`. */
-export type Affects = "course" | "pictures" | "state" | "curve" | "styled-curve" | "look" | "styled-look";
-
-export interface SettingRow {
-  readonly name: string;
-  readonly group: "run" | "wire" | "views" | "fit" | "stroke" | "surface" | "expert";
-  readonly unit: string;
-  readonly help: string;
-  readonly kind: "integer" | "number" | "choice" | "switch";
+export interface SettingRow extends Pick<Said<core.Setting>, keyof core.Setting> {
+  /** Of numbers. */
   readonly min?: number;
   readonly max?: number;
   readonly choices?: readonly string[];
-  readonly affects: readonly Affects[];
 }
 
 /** The core's settings: the table, and each preset's value for every row, as text. */

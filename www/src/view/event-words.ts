@@ -13,6 +13,10 @@ export function eventWords({ kind, count }: RunEvent): string {
       return `${points} that had vanished moved to where ink is lacking`;
     case "refine":
       return `${points} added where the pictures pull hardest`;
+    case "respace":
+      return `Laid anew at even steps: ${points}`;
+    case "thin":
+      return `${points} removed that the curve does not need`;
     case "undone":
       return "A step went wrong and was taken back; smaller steps from here";
     case "done":

@@ -229,7 +229,7 @@ export type SurfaceReport = {
 /** A named view: where from, where to, which way is up, and the picture's size.
  *
  * Serialises as wire.json's `views` and is checked ([`View::check`]) when read. */
-export type View = { name: string, projection: ProjectionKind, eye: [number, number, number], target: [number, number, number], up: [number, number, number], fov_y_rad?: number | null, height_world?: number | null, width_px: number, height_px: number,
+export type View = { name: string, projection: ProjectionKind, eye: [number, number, number], target: [number, number, number], up: [number, number, number], fov_y_rad?: number, height_world?: number, width_px: number, height_px: number,
 };
 
 /** How well one view matches its drawing, arranged but not bent. `null` where there is no drawing to compare with. */
