@@ -8,7 +8,7 @@ use wire4d::metrics::{Faults, ResultReport};
 use wire4d::optimize::{Event, Place};
 use wire4d::settings::{Backend, Setting};
 use wire4d::tasks::Placed;
-use wire4d::tasks::preview::Preview;
+use wire4d::tasks::multiview::preview::Preview;
 
 const HEADING: &str = "\
 /** What the core hands over as JSON. Written by `cargo xtask types` from the Rust types of the same names: change those. */
