@@ -3,6 +3,7 @@
 mod colour;
 pub mod cut;
 mod cutout;
+pub mod drawing;
 mod ink;
 mod mask;
 mod object;
