@@ -40,6 +40,13 @@ pub fn command() -> Command {
                 .about("One picture to a wire that shows it from the front and makes sense as it turns")
                 .arg(file("picture", "The picture: PNG, JPEG or WebP").value_name("PICTURE").required(true))
                 .arg(file("mask", "What of it is the object: a picture, white on black").long("mask"))
+                .arg(
+                    Arg::new("box")
+                        .long("box")
+                        .value_name("X,Y,W,H")
+                        .allow_hyphen_values(true)
+                        .help("A box round the object, in pixels of the picture: what is outside is ground"),
+                )
                 .arg(file("depth", "How near each of its pixels is: a picture of its size, light is near").long("depth"))
                 .arg(
                     Arg::new("view")

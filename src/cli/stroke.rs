@@ -9,7 +9,7 @@ use wire4d::settings::Task;
 use wire4d::tasks::Run;
 use wire4d::tasks::stroke::{self, Given};
 use wire4d::view::{Image, parse_placed_picture};
-use wire4d::{Result, sculpture};
+use wire4d::{Error, Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Stroke)?;
@@ -42,6 +42,17 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     Ok(())
 }
 
+/// Left, top, right and bottom of `X,Y,W,H`.
+fn bounds(text: &str) -> Result<[f64; 4]> {
+    let numbers: Vec<f64> = text.split(',').filter_map(|number| number.trim().parse().ok()).collect();
+    match numbers[..] {
+        [x, y, width, height] if text.split(',').count() == 4 => Ok([x, y, x + width, y + height]),
+        _ => {
+            Err(Error::setting("box", format!("{text:?} is not four numbers"), "give X,Y,W,H in pixels of the picture"))
+        }
+    }
+}
+
 fn given(matches: &ArgMatches) -> Result<Given> {
     let optional = |name: &str| matches.get_one::<PathBuf>(name).map(|path| read_picture(path)).transpose();
     let mask = optional("mask")?.map(|mask| {
@@ -52,8 +63,13 @@ fn given(matches: &ArgMatches) -> Result<Given> {
         let (path, seen_from) = parse_placed_picture(text)?;
         Ok((read_picture(Path::new(&path))?, seen_from))
     });
+    let picture = read_picture(args::path(matches, "picture"))?;
+    // People measure in the file's own pixels.
+    let scale = picture.shrunk_from().map_or(1.0, |[width, _]| picture.width() as f64 / width as f64);
+    let bounds = matches.get_one::<String>("box").map(|text| bounds(text)).transpose()?;
     Ok(Given {
-        picture: read_picture(args::path(matches, "picture"))?,
+        bounds: bounds.map(|bounds| bounds.map(|side| side * scale)),
+        picture,
         mask,
         depth: matches.get_one::<PathBuf>("depth").map(|path| read_depth(path)).transpose()?,
         others: others.collect::<Result<_>>()?,

@@ -23,6 +23,13 @@ pub struct CutOut {
     pub shade: Option<[f32; 3]>,
 }
 
+impl Picture {
+    /// Whether something was cut out: it is transparent in part.
+    pub fn is_cut_out(&self) -> bool {
+        CutOut::of(self).is_some()
+    }
+}
+
 impl CutOut {
     /// `None` for an opaque picture.
     pub fn of(picture: &Picture) -> Option<CutOut> {

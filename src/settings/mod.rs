@@ -11,5 +11,6 @@ pub use schema::{Affects, Group, Kind, Of, Setting};
 pub use table::{Settings, TABLE};
 pub use task::Task;
 pub use words::{
-    Backend, Bend, Flow, Hatching, Ink, Looks, Motif, NewPoint, OnOff, Preset, Pyramid, Shading, Start, Turn, Width,
+    Backend, Bend, Flow, Hatching, Ink, Looks, Motif, NewPoint, OnOff, Preset, Pyramid, Read, Shade, Shading, Start,
+    Turn, Width,
 };

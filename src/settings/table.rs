@@ -63,6 +63,7 @@ const STARTS: &[Of] = &[
     only(Task::Stroke, &["contour", "hull", "ball"]),
     only(Task::Fill, &["stripes", "tour"]),
 ];
+const READ: &[Of] = &[only(Task::Multiview, &["auto", "ink", "lines"]), only(Task::Stroke, &["auto", "lines", "tone"])];
 /// Where there is nothing to agree with, only that can be said.
 const ARRANGED: &[Of] = &[any(Task::Multiview), only(Task::Stroke, &["off"]), only(Task::Fill, &["off"])];
 const BENT: &[Of] = &[any(Task::Multiview), only(Task::Stroke, &["none"]), only(Task::Fill, &["none"])];
@@ -109,6 +110,10 @@ settings! {
     may_turn: Turn = Turn::Top, "", Choice { choices: Turn::WORDS }, VIEWS, &[Pictures];
     Views /// How far the drawings may bend to agree with each other.
     bend: Bend = Bend::Little, "", Choice { choices: Bend::WORDS }, BENT, &[State];
+    Views /// What of a picture is drawn: a drawing's ink, a photograph's lines, or shades; auto tells them apart.
+    read: Read = Read::Auto, "", Choice { choices: Read::WORDS }, READ, &[Pictures];
+    Views /// How many lines of a photograph are drawn; 0 takes all that say something.
+    lines: usize = 0, "lines", Integer { min: 0, max: 200 }, NO_MESH, &[Pictures];
     Views /// What is ink in the pictures.
     ink: Ink = Ink::Auto, "", Choice { choices: Ink::WORDS }, VIEWS, &[Course];
     Views /// Lines thinner than this are thickened to it before the fit; 0 leaves them alone.
@@ -127,6 +132,8 @@ settings! {
 
     Stroke /// Which of several objects, the largest first.
     object: usize = 1, "", Integer { min: 1, max: 999 }, PICTURE, &[Pictures];
+    Stroke /// How much of a photograph's tone its lines show: none, as an accent, or all of it.
+    shade: Shade = Shade::Accent, "", Choice { choices: Shade::WORDS }, PICTURE, &[Pictures];
     Stroke /// What the front should show: lines as wide as the picture is dark, or its own greys.
     shading: Shading = Shading::Lines, "", Choice { choices: Shading::WORDS }, PICTURE, &[Pictures];
     Stroke /// Lines that fill run along the outline, or round the solid like slices; auto takes what suits its shape.

@@ -117,6 +117,26 @@ choices! {
         /// Light on dark ground.
         Light = "light",
     }
+    /// What of a picture is drawn.
+    Read {
+        /// Whatever suits it: the lines of a photograph; of anything else what it was made for.
+        Auto = "auto",
+        /// Its ink: it is a drawing.
+        Ink = "ink",
+        /// The lines that a draughtsman would draw: it is a photograph.
+        Lines = "lines",
+        /// Its shades, as the widths of lines that fill the object.
+        Tone = "tone",
+    }
+    /// How much of a photograph's tone its lines show.
+    Shade {
+        /// None: lines of one width.
+        None = "none",
+        /// Lines are wider where the picture is strong.
+        Accent = "accent",
+        /// All: the object is filled with lines.
+        Full = "full",
+    }
     /// Whether the wire is as thick everywhere.
     Width {
         /// It is, as most wire that one can buy.

@@ -19,7 +19,7 @@ pub use filling::{FillOptions, Filling, Guide, Method, SPACINGS_WORLD, Wish, fil
 pub use jitter::jittered;
 pub use least_squares::{fit_error, fitted};
 pub use path::{length, resampled, wire_along, wire_with};
-pub use picture::{Hatching, Layers, LineOptions, Lines, Solid, SolidOptions};
+pub use picture::{Hatching, Layers, LineOptions, Lines, Solid, SolidOptions, Stroke};
 pub use tour::{greedy_tour, short_tour, tour_length};
 
 /// A polyline in the world to fit a wire to.

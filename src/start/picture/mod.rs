@@ -4,5 +4,5 @@ mod envelope;
 mod lines;
 mod solid;
 
-pub use lines::{Hatching, Layers, LineOptions, Lines};
+pub use lines::{Hatching, Layers, LineOptions, Lines, Stroke};
 pub use solid::{Solid, SolidOptions};

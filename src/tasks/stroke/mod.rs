@@ -11,6 +11,7 @@
 //! silhouette: inside it a blank pixel costs about as much as an inked one, while ink beside the solid costs the most.
 
 mod depth;
+mod drawn;
 mod first;
 mod given;
 mod plan;

@@ -1,10 +1,11 @@
 //! What is decided before a fit: the object, the solid behind it, and the lines that show it.
 
 use super::depth::nearness;
+use super::drawn;
 use super::given::Given;
 use super::sides::{other_sides, side_views};
 use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
-use crate::picture::{Ink, OBJECT_PX, Object, find_object};
+use crate::picture::{Ink, OBJECT_PX, Object};
 use crate::settings::{Preset, Settings, Shading, Start, Task};
 use crate::start::{self, Layers, LineOptions, Lines, Solid, SolidOptions};
 use crate::tasks;
@@ -43,13 +44,15 @@ const HATCHES: [f64; 2] = [4.0, 96.0];
 /// Finds the object, its solid and the targets.
 ///
 /// # Errors
-/// As [`find_object`] for each picture; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
+/// As [`find_object`](crate::picture::find_object) for each picture, and as [`Cutter::cut`](crate::picture::cut::Cutter::cut)
+/// for one with a box; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
 /// sides contradict each other.
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     Task::Stroke.check(settings)?;
     let name = given.picture.name();
-    let object = find_object(&given.picture, given.mask.as_ref(), settings.object)?;
-    let mut notes = object.notes.clone();
+    let mut notes = Vec::new();
+    let object = drawn::object(given, settings, &mut notes)?;
+    notes.extend(object.notes.iter().cloned());
     let Some(part) = object.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
     };
@@ -74,7 +77,13 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
 
     let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
     let all_seen = body != mask;
-    let lines = lines(&Layers { mask, tone, saliency, highlight, all_seen }, &solid, settings);
+    let layers = Layers { mask, tone, saliency, highlight, all_seen };
+    let lines = if drawn::draws_lines(settings) {
+        let strokes = drawn::strokes(given, &object, margin_px, settings)?;
+        Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings))
+    } else {
+        lines(&layers, &solid, settings)
+    };
     let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
     let ink = match settings.shading {
         Shading::Lines => lines.ink(settings.size),
@@ -91,21 +100,22 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     Ok(Plan { settings: settings.clone(), object, solid, targets, sources, lines, first: None, notes })
 }
 
+fn line_options(spacing_px: f64, settings: &Settings) -> LineOptions {
+    LineOptions {
+        hatching: settings.hatching.into(),
+        spacing_px,
+        outline_px: settings.outline,
+        edges: settings.edges,
+        tone: settings.tone,
+        saliency: settings.saliency,
+        gloss: settings.gloss,
+        width_px: [settings.min_width, settings.max_width],
+    }
+}
+
 /// The object's lines: as close as the settings say, or as close as the number of control points allows.
 fn lines(layers: &Layers, solid: &Solid, settings: &Settings) -> Lines {
-    let draw = |spacing_px: f64| {
-        let options = LineOptions {
-            hatching: settings.hatching.into(),
-            spacing_px,
-            outline_px: settings.outline,
-            edges: settings.edges,
-            tone: settings.tone,
-            saliency: settings.saliency,
-            gloss: settings.gloss,
-            width_px: [settings.min_width, settings.max_width],
-        };
-        Lines::draw(layers, &options)
-    };
+    let draw = |spacing_px: f64| Lines::draw(layers, &line_options(spacing_px, settings));
     if settings.control_points == 0 || settings.start != Start::Contour {
         return draw(settings.hatch);
     }

@@ -6,7 +6,10 @@
 
 mod circuit;
 mod shades;
+mod strokes;
 mod walk;
+
+pub use strokes::Stroke;
 
 use super::envelope::{FAR, lower_envelope};
 use crate::picture::{Ink, Mask};
