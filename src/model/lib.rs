@@ -25,6 +25,16 @@ use wire4d_core::{Error, Result, mesh};
 /// [`Error::Input`] for what is none of these or is damaged, for more than [`MAX_TRIANGLES`] or [`MAX_MESH_BYTES`], for
 /// numbers that are not finite, for what a file says it needs and is not read here, and as mending does for meshes
 /// without an area.
+///
+/// # Examples
+/// ```
+/// # fn main() -> wire4d_core::Result<()> {
+/// let file = b"v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+/// let read = wire4d_model::read_mesh("tetrahedron.obj", file, None)?;
+/// assert_eq!((read.mesh.triangles().len(), read.open_edges), (4, 0));
+/// # Ok(())
+/// # }
+/// ```
 pub fn read_mesh(name: &str, bytes: &[u8], up: Option<Up>) -> Result<Mended> {
     let (soup, up) = read::read(name, bytes, up)?;
     mend::mend(name, soup, up)

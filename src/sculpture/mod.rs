@@ -13,6 +13,21 @@ use crate::wire::Wire;
 use serde::{Deserialize, Serialize};
 
 /// A wire with its views and its origin; what `wire.json` holds.
+///
+/// ```
+/// use wire4d::sculpture::{MadeWith, Sculpture};
+/// use wire4d::view::View;
+/// use wire4d::wire::Wire;
+///
+/// # fn main() -> wire4d::Result<()> {
+/// let wire = Wire::closed_uniform(vec![[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1]])?;
+/// let views = View::canonical(2.2, 256).to_vec();
+/// let made = Sculpture { wire, views, made_with: MadeWith::default() };
+/// let file = made.to_json();
+/// assert_eq!(Sculpture::from_json("wire.json", file.as_bytes())?, made);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sculpture {
     /// The wire, in world units; the object fits the unit ball.

@@ -4,6 +4,19 @@ use super::{Kind, Setting, Settings, TABLE};
 use crate::Error;
 
 /// A task with settings of its own.
+///
+/// ```
+/// use wire4d::settings::Task;
+///
+/// # fn main() -> wire4d::Result<()> {
+/// // By their names, as text, over those of a preset.
+/// let settings = Task::Multiview.settings([("preset", "fast"), ("seed", "7")])?;
+/// assert_eq!(settings.seed, 7);
+/// let refused = Task::Multiview.settings([("seed", "seven")]).unwrap_err();
+/// assert!(refused.to_string().contains("seed"));
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
     /// Drawings for several sides.

@@ -13,6 +13,25 @@ use crate::view::{Image, Target};
 use crate::wire::Wire;
 
 /// A fit under way.
+///
+/// ```
+/// use wire4d::mesh::Shape;
+/// use wire4d::settings::Task;
+/// use wire4d::tasks::{Run, fill};
+///
+/// # fn main() -> wire4d::Result<()> {
+/// let pairs = [("preset", "fast"), ("iterations", "2"), ("curve_spacing", "0.2"), ("backend", "cpu")];
+/// let settings = Task::Fill.settings(pairs)?;
+/// let plan = fill::plan(&fill::Given::shape(Shape::Sphere), &settings, &mut |_| true)?.expect("nobody gave it up");
+/// let mut run = Run::start(plan, &mut |_| true)?;
+/// while !run.session().is_done() {
+///     run.step(1)?;
+/// }
+/// assert!(run.sculpture().wire.closed());
+/// assert!(run.result().surface.is_some(), "how it covers the sphere");
+/// # Ok(())
+/// # }
+/// ```
 pub struct Run {
     plan: Box<dyn Plan>,
     session: Session,

@@ -11,6 +11,8 @@ mod gltf_pose;
 mod mesh_common;
 mod mesh_files;
 mod mesh_hostile;
+#[path = "../support/notice/mod.rs"]
+mod notice;
 mod page_types;
 #[cfg(feature = "files")]
 mod picture_files;

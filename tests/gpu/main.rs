@@ -6,6 +6,8 @@ mod engine;
 mod fill;
 #[path = "../support/gpu_common/mod.rs"]
 mod gpu_common;
+#[path = "../support/notice/mod.rs"]
+mod notice;
 #[path = "../support/optimize_common/mod.rs"]
 mod optimize_common;
 mod raster;

@@ -20,6 +20,33 @@ use std::collections::VecDeque;
 const LACK_SIZE_PX: usize = 64;
 
 /// A fit under way. Pause by not calling [`Session::step`], cancel by dropping it, resume from [`Session::checkpoint`].
+///
+/// ```
+/// use wire4d_core::optimize::{Problem, Recipe, Session};
+/// use wire4d_core::view::{Image, Target, View};
+/// use wire4d_core::wire::Wire;
+///
+/// # fn main() -> wire4d_core::Result<()> {
+/// let mut ink = Image::new(32, 32);
+/// ink.data[32 * 10..32 * 12].fill(1.0);
+/// let [view, ..] = View::canonical(2.2, 32);
+/// let wire = Wire::open_uniform((0..6).map(|i| [0.3 * f64::from(i) - 0.7, 0.0, 0.0, 0.05]).collect())?;
+/// let mut recipe = Recipe::best();
+/// recipe.set_iterations(20, 0.5);
+/// let problem = Problem::for_drawings(wire, vec![Target { view, ink }], recipe);
+///
+/// let mut session = Session::new(problem.clone())?;
+/// session.step(10);
+/// let checkpoint = session.checkpoint();
+/// session.step(10);
+/// assert!(session.is_done());
+/// // The same wire, bit for bit, from the checkpoint.
+/// let mut resumed = Session::resume(problem, checkpoint)?;
+/// resumed.step(10);
+/// assert_eq!(resumed.best(), session.best());
+/// # Ok(())
+/// # }
+/// ```
 pub struct Session {
     pub(super) problem: Problem,
     /// World units in a pixel of a 256 px picture.

@@ -23,6 +23,14 @@ pub enum Projection {
 /// A named view: where from, where to, which way is up, and the picture's size.
 ///
 /// Serialises as wire.json's `views` and is checked ([`View::check`]) when read.
+///
+/// ```
+/// use wire4d_core::view::View;
+///
+/// let [front, side, top] = View::canonical(2.2, 256);
+/// assert_eq!(side.eye.map(f64::round), [3.0, 0.0, 0.0], "the side is seen from +x");
+/// assert_eq!((front.width_px, top.name.as_str()), (256, "top"));
+/// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(as = "super::spec::Record"))]
 #[serde(into = "super::spec::Record", try_from = "super::spec::Record")]
@@ -104,6 +112,16 @@ impl View {
 }
 
 /// A view turned into numbers: affine rows from world to camera axes, and the scale to pixels.
+///
+/// ```
+/// use wire4d_core::view::View;
+///
+/// let [front, ..] = View::canonical(2.0, 100);
+/// let camera = front.camera::<f64>();
+/// // Half the picture's height above its middle, a wire .2 world units thick: y points down, the radius is half the width.
+/// let [x_px, y_px, radius_px] = camera.project(&[0.0, 0.5, 0.0, 0.2]);
+/// assert_eq!([x_px, y_px, radius_px].map(|px| (1e6 * px).round() / 1e6), [50.0, 25.0, 5.0]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera<R> {
     /// From world to the picture's right, in world units.

@@ -56,6 +56,22 @@ pub struct Stroke {
 ///
 /// Always valid: every constructor and setter checks, so what holds a `Wire` need not.
 /// Serialises as `{ form, closed, knots, control_points }` and is checked again when read.
+///
+/// ```
+/// use wire4d_core::wire::Wire;
+///
+/// # fn main() -> wire4d_core::Result<()> {
+/// let square = [[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.0, 0.1], [0.0, -1.0, 0.0, 0.1]];
+/// let ring = Wire::closed_uniform(square.to_vec())?;
+/// let (start, end) = ring.domain();
+/// assert_eq!(end - start, 4.0, "a knot span a control point");
+/// // A cubic B-spline stays inside its control points: where it passes one it has 2/3 of its distance.
+/// let [x, y, _, width] = ring.evaluate(start);
+/// assert!((x.hypot(y) - 2.0 / 3.0).abs() < 1e-12 && (width - 0.1).abs() < 1e-12);
+/// assert!(Wire::closed_uniform(vec![[f64::NAN; 4]; 4]).is_err());
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(try_from = "Parts")]
 pub struct Wire {

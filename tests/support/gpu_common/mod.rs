@@ -3,6 +3,8 @@
 // Each test file uses its share of them.
 #![allow(dead_code)]
 
+use crate::notice::not_tested;
+use std::sync::Once;
 use wire4d::gpu::{Device, Kind};
 use wire4d::objective::{Clearance, Elastic, Neighbours, Pyramid};
 use wire4d::optimize::{AdamOptions, Scene, SceneView, Step};
@@ -10,12 +12,13 @@ use wire4d::rng::Rng;
 use wire4d::view::{Image, Occluder, Projection, View};
 use wire4d::wire::Wire;
 
-/// A device, or none with a notice; with `WIRE4D_REQUIRE_GPU` set none is a failure.
+/// A device, or none with a notice, once; with `WIRE4D_REQUIRE_GPU` set none is a failure.
 pub fn device() -> Option<Device> {
     match Device::acquire(Kind::Any) {
         Ok(device) => Some(device),
         Err(error) if std::env::var_os("WIRE4D_REQUIRE_GPU").is_none() => {
-            eprintln!("not tested: {error}");
+            static SAID: Once = Once::new();
+            SAID.call_once(|| not_tested(&format!("nothing on a graphics device: {error}")));
             None
         }
         Err(error) => panic!("{error}"),

@@ -2,6 +2,8 @@
 
 mod field_meshes;
 mod field_pictures;
+#[path = "../../../../tests/support/notice/mod.rs"]
+mod notice;
 mod verbs;
 
 /// Where `tests/drawings` and `tests/field` lie.

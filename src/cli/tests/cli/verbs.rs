@@ -1,4 +1,5 @@
 //! The command line on real pictures and on bad input, as a person would use it.
+use crate::notice::not_tested;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -416,6 +417,7 @@ fn a_raster_scene_is_drawn_compared_and_timed() {
     } else {
         let message = String::from_utf8_lossy(&on_device.stderr);
         assert!(std::env::var_os("WIRE4D_REQUIRE_GPU").is_none() && message.contains("Vulkan"), "{message}");
+        not_tested("`wire4d raster` on a graphics device: there is none");
     }
 
     draw("lower.json", &compare);
@@ -542,7 +544,7 @@ fn a_fit_on_a_device_says_so() {
     }
     if device.contains("backend: gpu, none") {
         assert!(std::env::var_os("WIRE4D_REQUIRE_GPU").is_none(), "{device}");
-        return eprintln!("not tested on a device: {device}");
+        return not_tested("fits on a graphics device: `wire4d device` found none");
     }
     assert_eq!(device.matches("self-check: passed").count(), 2, "{device}");
     succeeds(&quick(&at("device"), &["--backend", "gpu"]).output().unwrap());
