@@ -31,6 +31,25 @@ export async function fits(page: Page): Promise<void> {
   expect(tall).toBeLessThanOrEqual(0);
 }
 
+export const COLOURS = ["light", "dark"] as const;
+export type Colours = (typeof COLOURS)[number];
+
+/** Looks at states of a page that began in light, each in both colours; the next in the same colours as the last. */
+export function inBothColours(look: (state: string, colours: Colours) => Promise<void>, page: Page): (state: string) => Promise<void> {
+  let order: readonly Colours[] = COLOURS;
+  return async (state) => {
+    for (const [at, colorScheme] of order.entries()) {
+      if (at > 0) {
+        await page.emulateMedia({ colorScheme });
+        // Colours fade, and the stage has a thread of its own.
+        await page.waitForTimeout(300);
+      }
+      await look(state, colorScheme);
+    }
+    order = order.toReversed();
+  };
+}
+
 /** Takes a picture of a state, to be looked at, and has axe look at it. */
 export async function inspect(page: Page, state: string): Promise<void> {
   await shoot(page, state);

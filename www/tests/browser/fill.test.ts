@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { inspect } from "./a11y";
+import { inBothColours, inspect } from "./a11y";
 import { choose, contextWithProfile, figure, idle, openPart, phase, picture, requestsElsewhere, visit } from "./browser";
 import { dropFiles } from "./gestures";
 import { openSite } from "./site";
@@ -266,30 +266,28 @@ it("does it all by keys", async () => {
 });
 
 for (const [width, height] of [[1440, 900], [820, 1180], [360, 740]] as const) {
-  for (const colorScheme of ["light", "dark"] as const) {
-    it(`is free of faults at ${width} px, ${colorScheme}`, async () => {
-      const { page, faults } = await visit(browser, site.url, { viewport: { width, height }, colorScheme, hasTouch: width < 900 });
-      const look = (state: string) => inspect(page, `fill-${state}-${width}-${colorScheme}`);
-      await page.evaluate(() => document.fonts.ready);
-      await toAShape(page);
-      await page.waitForTimeout(4000);
-      await look("first-visit");
-      await page.locator("fill-choices").scrollIntoViewIfNeeded();
-      await look("choices");
-      await quick(page);
-      await cover(page).click();
-      await phase(page, "running");
-      await idle(page);
-      await page.waitForTimeout(3000);
-      await look("finished");
-      await page.locator("result-panel").evaluate((element) => element.scrollIntoView({ block: "end" }));
-      await look("measured");
-      await openPart(page, "Settings");
-      await page.locator("settings-panel summary").filter({ hasText: /^\s*Surface/ }).click();
-      await page.locator("setting-control[data-setting=surface_pull]").scrollIntoViewIfNeeded();
-      await look("settings");
-      expect(faults).toEqual([]);
-      await page.context().close();
-    });
-  }
+  it(`is free of faults at ${width} px, light and dark`, async () => {
+    const { page, faults } = await visit(browser, site.url, { viewport: { width, height }, hasTouch: width < 900 });
+    const look = inBothColours((state, colours) => inspect(page, `fill-${state}-${width}-${colours}`), page);
+    await page.evaluate(() => document.fonts.ready);
+    await toAShape(page);
+    await page.waitForTimeout(4000);
+    await look("first-visit");
+    await page.locator("fill-choices").scrollIntoViewIfNeeded();
+    await look("choices");
+    await quick(page);
+    await cover(page).click();
+    await phase(page, "running");
+    await idle(page);
+    await page.waitForTimeout(3000);
+    await look("finished");
+    await page.locator("result-panel").evaluate((element) => element.scrollIntoView({ block: "end" }));
+    await look("measured");
+    await openPart(page, "Settings");
+    await page.locator("settings-panel summary").filter({ hasText: /^\s*Surface/ }).click();
+    await page.locator("setting-control[data-setting=surface_pull]").scrollIntoViewIfNeeded();
+    await look("settings");
+    expect(faults).toEqual([]);
+    await page.context().close();
+  });
 }

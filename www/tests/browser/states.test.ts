@@ -2,8 +2,8 @@
 
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { fits, inspect } from "./a11y";
-import { choose, idle, launch, phase, runButton, shoot, SMALL, visit, type VisitOptions } from "./browser";
+import { fits, inBothColours, inspect } from "./a11y";
+import { choose, idle, launch, phase, runButton, shoot, SMALL, visit } from "./browser";
 import { padsReady, previewed } from "./pads";
 import { openSite } from "./site";
 
@@ -12,50 +12,49 @@ const { browser, site } = await openSite();
 const SIZES = [[1440, 900], [820, 1180], [360, 740]] as const;
 
 for (const [width, height] of SIZES) {
-  for (const colorScheme of ["light", "dark"] as const) {
-    it(`from a first visit to a finished wire at ${width} px, ${colorScheme}`, async () => {
-      const options: VisitOptions = { viewport: { width, height }, colorScheme, hasTouch: width < 900 };
-      const { page, faults } = await visit(browser, site.url, options);
-      const look = (state: string) => inspect(page, `${state}-${width}-${colorScheme}`);
-      await padsReady(page);
-      await page.evaluate(() => document.fonts.ready);
-      await look("first-visit");
-      const run = (await runButton(page).boundingBox())!;
-      expect(run.height).toBeGreaterThanOrEqual(44);
-      // The stage, the pads and the button are all within the first screen.
-      expect(run.y + run.height).toBeLessThanOrEqual(height);
+  it(`from a first visit to a finished wire at ${width} px, light and dark`, async () => {
+    const { page, faults } = await visit(browser, site.url, { viewport: { width, height }, hasTouch: width < 900 });
+    const look = inBothColours(async (state, colours) => {
+      await inspect(page, `${state}-${width}-${colours}`);
       const background = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
-      expect(background).toBe(colorScheme === "dark" ? "rgb(22, 21, 19)" : "rgb(246, 243, 238)");
-      const tab = async (name: string) => {
-        const there = page.getByRole("tab", { name });
-        if (await there.count()) await there.click();
-      };
-      await tab("Settings");
-      await page.locator("settings-panel summary").first().click();
-      await look("settings");
-      await tab("Share");
-      await look("share");
-      await tab("Pictures");
-      await openEditor(page);
-      for (const [panel, state] of [["Draw", "draw"], ["Type", "type"], ["Icons", "icons"], ["Picture", "picture"]] as const) {
-        await page.locator("pad-editor").getByRole("tab", { name: panel }).click();
-        if (panel === "Icons") await page.locator("icon-shelf .grid").waitFor();
-        await look(`editor-${state}`);
-      }
-      await page.locator("pad-editor").getByRole("button", { name: "Done" }).click();
-      await tab("Run");
-      await choose(page, "preset", "fast");
-      await runButton(page).click();
-      await phase(page, "running");
-      await page.waitForTimeout(300);
-      await shoot(page, `running-${width}-${colorScheme}`);
-      await idle(page);
-      await page.waitForTimeout(300);
-      await look("finished");
-      expect(faults).toEqual([]);
-      await page.context().close();
-    });
-  }
+      expect(background).toBe(colours === "dark" ? "rgb(22, 21, 19)" : "rgb(246, 243, 238)");
+    }, page);
+    await padsReady(page);
+    await page.evaluate(() => document.fonts.ready);
+    await look("first-visit");
+    const run = (await runButton(page).boundingBox())!;
+    expect(run.height).toBeGreaterThanOrEqual(44);
+    // The stage, the pads and the button are all within the first screen.
+    expect(run.y + run.height).toBeLessThanOrEqual(height);
+    const tab = async (name: string) => {
+      const there = page.getByRole("tab", { name });
+      if (await there.count()) await there.click();
+    };
+    await tab("Settings");
+    await page.locator("settings-panel summary").first().click();
+    await look("settings");
+    await tab("Share");
+    await look("share");
+    await tab("Pictures");
+    await openEditor(page);
+    for (const [panel, state] of [["Draw", "draw"], ["Type", "type"], ["Icons", "icons"], ["Picture", "picture"]] as const) {
+      await page.locator("pad-editor").getByRole("tab", { name: panel }).click();
+      if (panel === "Icons") await page.locator("icon-shelf .grid").waitFor();
+      await look(`editor-${state}`);
+    }
+    await page.locator("pad-editor").getByRole("button", { name: "Done" }).click();
+    await tab("Run");
+    await choose(page, "preset", "fast");
+    await runButton(page).click();
+    await phase(page, "running");
+    await page.waitForTimeout(300);
+    await shoot(page, `running-${width}`);
+    await idle(page);
+    await page.waitForTimeout(300);
+    await look("finished");
+    expect(faults).toEqual([]);
+    await page.context().close();
+  });
 }
 
 async function openEditor(page: Page): Promise<void> {

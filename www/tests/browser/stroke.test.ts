@@ -3,8 +3,8 @@
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { inspect } from "./a11y";
-import { choose, contextWithProfile, figure, idle, openPart, phase, requestsElsewhere, ROOT, runButton, shoot, visit, type VisitOptions } from "./browser";
+import { inBothColours, inspect } from "./a11y";
+import { choose, contextWithProfile, figure, idle, openPart, phase, requestsElsewhere, ROOT, runButton, shoot, visit } from "./browser";
 import { dropFiles } from "./gestures";
 import { inkOn, padsReady } from "./pads";
 import { openSite } from "./site";
@@ -311,40 +311,37 @@ it("says what is wrong with what it is given, and keeps what was there", async (
 });
 
 for (const [width, height] of [[1440, 900], [360, 740]] as const) {
-  for (const colorScheme of ["light", "dark"] as const) {
-    it(`is free of faults at ${width} px, ${colorScheme}`, async () => {
-      const options: VisitOptions = { viewport: { width, height }, colorScheme, hasTouch: width < 900 };
-      const { page, faults } = await visit(browser, site.url, options);
-      const look = (state: string) => inspect(page, `stroke-${state}-${width}-${colorScheme}`);
-      await padsReady(page);
-      await page.evaluate(() => document.fonts.ready);
-      await toOnePicture(page);
-      await page.waitForTimeout(500);
-      await look("first-visit");
-      await openPart(page, "Run");
-      await look("choices");
-      await quick(page, "20");
-      await runButton(page).click();
-      await phase(page, "running");
-      await idle(page);
-      await comparison(page).getByRole("button").click();
-      await comparison(page).locator("table").waitFor({ timeout: 150_000 });
-      await idle(page);
-      await page.locator("turned-views").scrollIntoViewIfNeeded();
-      await look("finished");
-      await comparison(page).evaluate((element) => element.scrollIntoView({ block: "end" }));
-      await page.waitForTimeout(500);
-      await look("compared");
-      await openPart(page, "Settings");
-      await page.locator("settings-panel summary").filter({ hasText: /^\s*Stroke/ }).click();
-      await page.locator("setting-control[data-setting=roundness]").scrollIntoViewIfNeeded();
-      await look("settings");
-      await openPart(page, "Picture");
-      await page.getByRole("button", { name: "Start over" }).click();
-      await pad(page).getByText("Or try one of these").waitFor();
-      await look("empty");
-      expect(faults).toEqual([]);
-      await page.context().close();
-    });
-  }
+  it(`is free of faults at ${width} px, light and dark`, async () => {
+    const { page, faults } = await visit(browser, site.url, { viewport: { width, height }, hasTouch: width < 900 });
+    const look = inBothColours((state, colours) => inspect(page, `stroke-${state}-${width}-${colours}`), page);
+    await padsReady(page);
+    await page.evaluate(() => document.fonts.ready);
+    await toOnePicture(page);
+    await page.waitForTimeout(500);
+    await look("first-visit");
+    await openPart(page, "Run");
+    await look("choices");
+    await quick(page, "20");
+    await runButton(page).click();
+    await phase(page, "running");
+    await idle(page);
+    await comparison(page).getByRole("button").click();
+    await comparison(page).locator("table").waitFor({ timeout: 150_000 });
+    await idle(page);
+    await page.locator("turned-views").scrollIntoViewIfNeeded();
+    await look("finished");
+    await comparison(page).evaluate((element) => element.scrollIntoView({ block: "end" }));
+    await page.waitForTimeout(500);
+    await look("compared");
+    await openPart(page, "Settings");
+    await page.locator("settings-panel summary").filter({ hasText: /^\s*Stroke/ }).click();
+    await page.locator("setting-control[data-setting=roundness]").scrollIntoViewIfNeeded();
+    await look("settings");
+    await openPart(page, "Picture");
+    await page.getByRole("button", { name: "Start over" }).click();
+    await pad(page).getByText("Or try one of these").waitFor();
+    await look("empty");
+    expect(faults).toEqual([]);
+    await page.context().close();
+  });
 }
