@@ -27,7 +27,8 @@ export default defineConfig({
   test: {
     projects: [
       { extends: true, test: { name: "unit", include: ["src/**/*.test.ts"] } },
-      // The built page in a real Chromium: slow machines get their time, and one browser at a time.
+      // The built page in a real Chromium: slow machines get their time. Two browsers at a time, since much of it is waiting;
+      // each file has its own server, browser and folders.
       {
         extends: true,
         test: {
@@ -36,7 +37,8 @@ export default defineConfig({
           testTimeout: 180_000,
           hookTimeout: 60_000,
           expect: { poll: { timeout: 30_000 } },
-          fileParallelism: false,
+          maxWorkers: 2,
+          sequence: { groupOrder: 1 },
         },
       },
     ],
