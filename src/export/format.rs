@@ -129,13 +129,14 @@ const SAMPLES_PER_SPAN: usize = 32;
 /// use wire4d::wire::Wire;
 ///
 /// # fn main() -> wire4d::Result<()> {
-/// let wire = Wire::closed_uniform(vec![[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1]])?;
+/// let square = [[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1], [0.0, -1.0, 0.0, 0.1]];
+/// let wire = Wire::closed_uniform(square.to_vec())?;
 /// let made = Sculpture { wire, views: Vec::new(), made_with: MadeWith::default() };
 /// let glb = export(&made, Format::from_path("ring.glb")?, None, None, &ExportOptions::default())?;
 /// assert!(glb.starts_with(b"glTF"));
 /// // A link carries it to within a fraction of a pixel.
 /// let opened = open_share_code(&share_code(&made))?;
-/// assert_eq!(opened.wire.control_points().len(), 3);
+/// assert_eq!(opened.wire.control_points().len(), 4);
 /// # Ok(())
 /// # }
 /// ```

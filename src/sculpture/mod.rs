@@ -20,7 +20,8 @@ use serde::{Deserialize, Serialize};
 /// use wire4d::wire::Wire;
 ///
 /// # fn main() -> wire4d::Result<()> {
-/// let wire = Wire::closed_uniform(vec![[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1]])?;
+/// let square = [[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1], [0.0, -1.0, 0.0, 0.1]];
+/// let wire = Wire::closed_uniform(square.to_vec())?;
 /// let views = View::canonical(2.2, 256).to_vec();
 /// let made = Sculpture { wire, views, made_with: MadeWith::default() };
 /// let file = made.to_json();
