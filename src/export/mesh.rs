@@ -37,10 +37,4 @@ impl TriangleMesh {
         }
         self
     }
-
-    /// Volume enclosed, by the divergence theorem: positive when triangles are wound outward.
-    pub fn signed_volume(&self) -> f64 {
-        let point = |i: u32| DVec3::from(self.positions[i as usize].map(f64::from));
-        self.triangles.iter().map(|&[a, b, c]| point(a).dot(point(b).cross(point(c))) / 6.0).sum()
-    }
 }

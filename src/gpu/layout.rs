@@ -172,7 +172,8 @@ pub type Layout = (&'static str, usize, &'static [(&'static str, usize)]);
 
 macro_rules! layouts {
     ($($name:ident { $($member:ident),* $(,)? })*) => {
-        /// What shaders must agree with: each structure's size and its members' offsets, in bytes.
+        /// What shaders must agree with: each structure's size and its members' offsets, in bytes. For the test that reads
+        /// them.
         pub const SHADER_LAYOUTS: &[Layout] = &[
             $((stringify!($name), size_of::<$name>(), &[$((stringify!($member), offset_of!($name, $member))),*]),)*
             ("Joint", JOINT_BYTES as usize, &[]),

@@ -71,11 +71,11 @@ fn pads_show_what_the_fit_will_see() {
         assert!(missing.data.iter().zip(&seen.data).all(|(missing, seen)| *missing >= 0.0 && missing <= seen));
         // Thickened lines lie over the drawing's own: nearly all of its ink is in them, and little far from it.
         let ink = given.ink.resized(seen.width, seen.height);
-        let near = ink.threshold(0.3).dilated(4.0);
+        let near = ink.threshold(0.3).distance_px();
         let (mut strays, mut total, mut met, mut all) = (0.0, 0.0, 0.0, 0.0);
         for (i, &value) in seen.data.iter().enumerate() {
             total += value;
-            strays += if near.data[i] { 0.0 } else { value };
+            strays += if near.data[i] <= 4.0 { 0.0 } else { value };
             all += ink.data[i];
             met += ink.data[i].min(value);
         }

@@ -70,7 +70,8 @@ impl Mesh {
 
     /// An outward unit normal a corner: the triangles' normals weighted by their angles there, which does not depend on
     /// how a flat face is cut into triangles (Thürmer and Wüthrich 1998).
-    pub fn vertex_normals(&self) -> Vec<[f64; 3]> {
+    #[cfg(test)]
+    pub(crate) fn vertex_normals(&self) -> Vec<[f64; 3]> {
         let mut sums = vec![DVec3::ZERO; self.positions.len()];
         for (i, triangle) in self.triangles.iter().enumerate() {
             let normal = DVec3::from(self.triangle_normal(i));
