@@ -183,6 +183,12 @@ impl Ground {
             Because::Border => format!("the {shade} shade is ground: the border is of it"),
             Because::Most => format!("the {shade} colour is ground: most of the picture is of it"),
             Because::Sheet => format!("the {shade} sheet is ground, and what is round it was left out"),
+            Because::Photograph => "it is a photograph: the lines of its object are drawn".into(),
+            Because::Doubtful => {
+                "it is a photograph: the lines of what stands out are drawn, and it is not clear that this is \
+                                  what was meant; cut it out, or crop the picture to it"
+                    .into()
+            }
             Because::Said => format!("the {shade} shade is ground, as was asked for"),
         }
     }
@@ -199,6 +205,10 @@ pub enum Because {
     Most,
     /// It is a sheet with marks on it; what is round it is neither.
     Sheet,
+    /// It is a photograph: everything but its object.
+    Photograph,
+    /// Likewise, and it is not clear what its object is.
+    Doubtful,
     /// A person said which shade is ink.
     Said,
 }

@@ -219,6 +219,12 @@ impl Mask {
         }
         grid.inner()
     }
+
+    /// Ink grown by discs of `radius_px`: every pixel at most that far from ink, centre to centre.
+    pub fn dilated(&self, radius_px: f32) -> Mask {
+        let data = self.distance_px().data.iter().map(|&distance| distance <= radius_px).collect();
+        Mask { width: self.width, height: self.height, data }
+    }
 }
 
 /// A mask with one pixel of ground all round, so that every pixel has eight neighbours.
@@ -433,5 +439,13 @@ mod tests {
         assert_eq!((kept.left, kept.right), (4, 60));
         assert!(kept.height().abs_diff(56 / 3) <= 1 && kept.top.abs_diff(64 - kept.bottom) <= 1, "{kept:?}");
         assert_eq!(found(true), PixelBox { left: 4, top: 4, right: 60, bottom: 60 });
+    }
+
+    #[test]
+    fn growing_reaches_as_far_as_asked() {
+        let mut dot = Mask::new(21, 21);
+        dot.data[10 * 21 + 10] = true;
+        let disc = dot.dilated(5.0);
+        assert!(disc.at(15, 10) && disc.at(13, 14) && !disc.at(14, 14) && !disc.at(16, 10));
     }
 }

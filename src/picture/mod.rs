@@ -5,6 +5,7 @@ pub mod cut;
 mod cutout;
 pub mod drawing;
 mod ink;
+mod kind;
 mod mask;
 mod object;
 mod patterns;
@@ -19,6 +20,7 @@ mod strokes;
 mod write;
 
 pub use ink::{Because, Ground, MAX_PICTURE_PIXELS, Picture, Polarity, ink};
+pub use kind::is_photograph;
 pub use mask::{Components, Mask, NOWHERE};
 pub use object::{OBJECT_PX, Object, Parts, find_object};
 pub use patterns::Pattern;

@@ -4,6 +4,7 @@
 mod engine;
 pub mod fill;
 pub mod multiview;
+mod photo;
 mod plan;
 mod recipe;
 mod run;

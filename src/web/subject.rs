@@ -3,8 +3,9 @@
 use crate::json;
 use crate::pictures::Ink;
 use wasm_bindgen::prelude::*;
-use wire4d::picture::{Object, Picture, find_object as find};
-use wire4d::tasks::stroke::Given;
+use wire4d::picture::{Object, Picture};
+use wire4d::settings::{Preset, Settings, Task};
+use wire4d::tasks::stroke::{Given, find};
 use wire4d::view::Image;
 
 /// One picture for a run, and what a person says of it.
@@ -59,7 +60,9 @@ pub fn find_object(
     rgba: Vec<u8>,
     object: usize,
 ) -> Result<FoundObject, JsError> {
-    Ok(FoundObject(find(&Picture::new(name, width, height, rgba)?, None, object)?))
+    let given = Given::picture(Picture::new(name, width, height, rgba)?);
+    let settings = Settings { object, ..Task::Stroke.preset(Preset::Best) };
+    Ok(FoundObject(find(&given, &settings)?.object))
 }
 
 #[wasm_bindgen]

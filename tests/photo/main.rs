@@ -1,5 +1,6 @@
 //! Photographs: the object, and its lines, against scenes of known truth.
 
+mod kinds;
 #[path = "../support/scenes/mod.rs"]
 mod scenes;
 mod scenes_are_true;

@@ -6,6 +6,7 @@
 mod choose;
 mod edges;
 mod grid;
+mod ink;
 mod join;
 mod line;
 mod outline;
@@ -15,6 +16,8 @@ use super::photo::Photo;
 use crate::picture::Ink;
 use crate::view::{Image, PixelBox};
 use edges::Edges;
+
+pub use ink::ink;
 
 /// What a line is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

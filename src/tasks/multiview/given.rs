@@ -1,9 +1,11 @@
 //! What a person gives: drawings, with the sides they are seen from.
 
 use crate::Result;
-use crate::picture::{Ground, Picture, Reading};
-use crate::settings::Settings;
+use crate::picture::cut::SURE;
+use crate::picture::{Because, Ground, Photo, Picture, Polarity, Reading, drawing, find_object, is_photograph};
+use crate::settings::{Read, Settings};
 use crate::start;
+use crate::tasks::photo;
 use crate::view::{Image, ViewSpec};
 
 /// A drawing and, for views other than front, side and top, where it is seen from.
@@ -18,14 +20,32 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Finds the ink of a picture, dark or light as the settings say, and what was taken for its ground.
+    /// Finds the ink of a picture, dark or light as the settings say, or draws the lines of a photograph; and what was taken
+    /// for its ground.
     ///
     /// # Errors
-    /// As [`Reading::of`].
+    /// As [`Reading::of`], and as [`Cutter::cut`](crate::picture::cut::Cutter::cut) for photographs.
     pub fn new(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<(Drawing, Ground)> {
+        if settings.read == Read::Lines || settings.read == Read::Auto && is_photograph(picture) {
+            return Drawing::of_photo(picture, seen_from, settings);
+        }
         let reading = Reading { polarity: settings.ink.into(), threshold: 0.0 };
         let (ink, ground) = reading.of_drawing(picture)?;
         Ok((Drawing { name: picture.name().to_owned(), ink, seen_from }, ground))
+    }
+
+    fn of_photo(picture: &Picture, seen_from: Option<ViewSpec>, settings: &Settings) -> Result<(Drawing, Ground)> {
+        let (mask, sure) = if picture.is_cut_out() {
+            (find_object(picture, None, 1)?.mask, 1.0)
+        } else {
+            let cut = photo::cut(picture, None)?;
+            (cut.mask, cut.sure)
+        };
+        let photo = Photo::of(picture);
+        let ink = drawing::ink(&photo::lines(&photo, &mask, settings), photo.width, photo.height);
+        let because = if sure < SURE { Because::Doubtful } else { Because::Photograph };
+        let drawing = Drawing { name: picture.name().to_owned(), ink, seen_from };
+        Ok((drawing, Ground { polarity: Polarity::DarkInk, because }))
     }
 
     /// From ink as bytes, 0 (ground) to 255 (ink), row by row from the top left.

@@ -1,34 +1,47 @@
 //! A photograph's object and the lines that are drawn of it.
 
 use super::given::Given;
-use crate::picture::cut::{Cutter, Hints};
-use crate::picture::drawing::{self, Budget, Kind};
-use crate::picture::{Ink, OBJECT_PX, Object, Photo, find_object};
-use crate::settings::{Read, Settings, Shade};
+use crate::picture::drawing::{Kind, Line};
+use crate::picture::{Ink, OBJECT_PX, Object, Photo, find_object, is_photograph};
+use crate::settings::{Read, Settings, Shade, Shading};
 use crate::start::Stroke;
+use crate::tasks::photo;
 use crate::view::{Image, PixelBox};
 use crate::{Error, Result};
 
-/// Whether the lines of a photograph are drawn.
-pub(super) fn draws_lines(settings: &Settings) -> bool {
-    settings.read == Read::Lines && settings.shade != Shade::Full
+/// Whether lines are drawn, as of a photograph: where that is asked for, or it is one and nothing else is.
+fn is_drawn(given: &Given, settings: &Settings) -> bool {
+    match settings.read {
+        Read::Lines => true,
+        // The paper's own way is to fit the picture's greys.
+        Read::Auto => settings.shading == Shading::Lines && is_photograph(&given.picture),
+        Read::Ink | Read::Tone => false,
+    }
 }
 
-/// The object: what the mask or the box says, or what stands out.
+/// What was found in a picture.
+pub struct Found {
+    /// The object, with what makes it doubtful.
+    pub object: Object,
+    /// Whether its lines are drawn, as of a photograph; else it is filled.
+    pub is_drawn: bool,
+}
+
+/// Finds the object: what the mask or the box says, or what stands out.
 ///
 /// # Errors
-/// As [`find_object`] and [`Cutter::cut`].
-pub(super) fn object(given: &Given, settings: &Settings, notes: &mut Vec<String>) -> Result<Object> {
+/// As [`find_object`], and as [`Cutter::cut`](crate::picture::cut::Cutter::cut) for photographs.
+pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
     let picture = &given.picture;
-    let points = given.bounds.is_some() || settings.read == Read::Lines;
-    if given.mask.is_some() || !points || picture.is_cut_out() {
-        return find_object(picture, given.mask.as_ref(), settings.object);
+    let is_drawn = is_drawn(given, settings);
+    if given.mask.is_some() || !(is_drawn || given.bounds.is_some()) || picture.is_cut_out() {
+        let object = find_object(picture, given.mask.as_ref(), settings.object)?;
+        return Ok(Found { object, is_drawn });
     }
-    let photo = Photo::of(picture);
-    let bounds = given.bounds.map(|bounds| bounds.map(|side| (side * photo.scale) as f32));
-    let cut = Cutter::new(photo).cut(&Hints { bounds, ..Hints::default() })?;
-    notes.extend(cut.notes);
-    find_object(picture, Some(&cut.mask), 1)
+    let cut = photo::cut(picture, given.bounds)?;
+    let mut object = find_object(picture, Some(&cut.mask), 1)?;
+    object.notes.splice(0..0, cut.notes);
+    Ok(Found { object, is_drawn })
 }
 
 /// The lines that a draughtsman would draw of the object, px of its layers: a picture of [`OBJECT_PX`] in which the object
@@ -38,15 +51,13 @@ pub(super) fn object(given: &Given, settings: &Settings, notes: &mut Vec<String>
 /// [`Error::Picture`] where nothing can be drawn.
 pub(super) fn strokes(given: &Given, object: &Object, margin_px: f64, settings: &Settings) -> Result<Vec<Stroke>> {
     let photo = Photo::of(&given.picture);
-    let mask = object.mask.resized(photo.width, photo.height);
-    let budget = if settings.lines == 0 { Budget::default() } else { Budget::Lines(settings.lines) };
-    let lines = drawing::draw(&photo, &mask, budget);
+    let lines = photo::lines(&photo, &object.mask, settings);
     let Some(part) = object.mask.threshold(0.5).bounding_box().filter(|_| !lines.is_empty()) else {
         return Err(Error::picture(given.picture.name(), "has no lines that could be drawn", "use a sharper picture"));
     };
     let longer = photo.width.max(photo.height) as f32;
     let place = Placement::new(&object.mask, &photo, part, margin_px);
-    let stroke = |line: drawing::Line| Stroke {
+    let stroke = |line: Line| Stroke {
         points: line.points.iter().map(|&point| place.of(point)).collect(),
         width_px: match settings.shade {
             Shade::None => settings.outline as f32 * OBJECT_PX as f32 / 256.0,

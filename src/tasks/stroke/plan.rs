@@ -1,12 +1,12 @@
 //! What is decided before a fit: the object, the solid behind it, and the lines that show it.
 
 use super::depth::nearness;
-use super::drawn;
+use super::drawn::{self, Found};
 use super::given::Given;
 use super::sides::{other_sides, side_views};
 use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
 use crate::picture::{Ink, OBJECT_PX, Object};
-use crate::settings::{Preset, Settings, Shading, Start, Task};
+use crate::settings::{Preset, Read, Settings, Shade, Shading, Start, Task};
 use crate::start::{self, Layers, LineOptions, Lines, Solid, SolidOptions};
 use crate::tasks;
 use crate::tasks::recipe::{at_once, recipe};
@@ -50,9 +50,13 @@ const HATCHES: [f64; 2] = [4.0, 96.0];
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     Task::Stroke.check(settings)?;
     let name = given.picture.name();
-    let mut notes = Vec::new();
-    let object = drawn::object(given, settings, &mut notes)?;
-    notes.extend(object.notes.iter().cloned());
+    let Found { object, is_drawn } = drawn::find(given, settings)?;
+    let mut notes = object.notes.clone();
+    if is_drawn && settings.read == Read::Auto {
+        notes.push(format!(
+            "{name}: is taken for a photograph, so the lines of its object are drawn; read tone fills it"
+        ));
+    }
     let Some(part) = object.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
     };
@@ -78,7 +82,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
     let all_seen = body != mask;
     let layers = Layers { mask, tone, saliency, highlight, all_seen };
-    let lines = if drawn::draws_lines(settings) {
+    let lines = if is_drawn && settings.shade != Shade::Full {
         let strokes = drawn::strokes(given, &object, margin_px, settings)?;
         Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings))
     } else {

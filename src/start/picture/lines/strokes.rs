@@ -1,7 +1,7 @@
 //! Lines that were drawn already, as a draughtsman draws a photograph: taken as they are.
 
 use super::{Layers, LineOptions, Lines};
-use crate::picture::{Ink, Mask};
+use crate::picture::Mask;
 use crate::view::Image;
 
 /// A drawn line.
@@ -15,8 +15,6 @@ pub struct Stroke {
     pub is_outline: bool,
 }
 
-/// Share of the object's longer side from which on a line within it is drawn on its back, too: enough to make it a body.
-const LONG: f32 = 0.3;
 /// A corner every so often along a line, px.
 const STEP_PX: f32 = 0.5;
 
@@ -27,31 +25,26 @@ impl Lines {
         let side = mask.width;
         let scale = side as f32 / 256.0;
         let [least, most] = options.width_px.map(|width| 0.5 * width as f32 * scale);
-        let size = mask.threshold(0.5).bounding_box().map_or(1, |part| part.width().max(part.height())) as f32;
         let empty = || Mask::new(side, side);
-        let (mut on, mut rim, mut back) = (empty(), empty(), empty());
+        let (mut on, mut rim) = (empty(), empty());
         let mut half_width_px = vec![0.0f32; side * side];
         for stroke in strokes {
-            let behind = stroke.is_outline || stroke.length() > LONG * size;
             for i in stroke.pixels(side) {
                 on.data[i] = true;
                 rim.data[i] |= stroke.is_outline;
-                back.data[i] |= behind;
                 half_width_px[i] = half_width_px[i].max((0.5 * stroke.width_px).clamp(least, most));
             }
         }
         // A line may run along the border, half of it outside.
         let everywhere = Image { data: vec![1.0; side * side], ..mask.clone() };
         let shade = layers.tone.clone();
+        // What is drawn once is on the front: lines on the back as well would show beside those of the front when turned.
+        let back = rim.clone();
         Lines { side, on, rim, back, half_width_px, mask: everywhere, shade }
     }
 }
 
 impl Stroke {
-    fn length(&self) -> f32 {
-        self.points.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])).sum()
-    }
-
     /// The pixels it runs through, of a square picture.
     fn pixels(&self, side: usize) -> Vec<usize> {
         let mut pixels = Vec::new();
