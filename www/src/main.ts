@@ -1,5 +1,5 @@
 import "./styles.css";
-import { startTheme } from "./ui/app/theme";
+import { startTheme } from "./ui/shared/theme";
 
 startTheme();
 // One after the other: to run all scripts at once would keep a slow machine from answering.

@@ -2,7 +2,7 @@ import { css, html, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { WireShape } from "../embed/shape";
 import type { Target, View } from "../engine/protocol";
-import { percent } from "../state/words";
+import { percent } from "../state/common/words";
 import { Part } from "./part";
 import { SMALL_PX, SmallPictures, type SmallPicture } from "./small-pictures";
 import { smallStyle } from "./small-style";

@@ -1,5 +1,5 @@
 import { LitElement } from "lit";
-import { nextTask } from "../state/next-task";
+import { nextTask } from "../state/common/next-turn";
 
 /** A part of the page that is rendered in a task of its own: one change of everything never becomes one long task. */
 export class Part extends LitElement {

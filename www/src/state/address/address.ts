@@ -1,7 +1,7 @@
 /** The address while a person works: it carries job and settings, and a wire only as long as that is the one on the stage. */
 
 import { deskOf, type Doc } from "../keeping/document";
-import { wordsOf, type Cover } from "../surface/cover";
+import { wordsOf, type Cover } from "../../tasks/fill/given";
 import { readFragment, writeFragment } from "./fragment";
 
 /** The fragment that should stand in the address in place of `hash`; `covered` is what the finished wire covers. */

@@ -5,7 +5,7 @@
  * held `w` alone.
  */
 
-import { isPattern, isShape, type CoverWords } from "../surface/cover";
+import { isPattern, isShape, type CoverWords } from "../../tasks/fill/given";
 import { JOBS, type Job, type SettingsTable, type SettingValues } from "../../engine/protocol";
 
 export const FRAGMENT_VERSION = 1;

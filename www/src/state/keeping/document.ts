@@ -1,10 +1,10 @@
 /** What a person makes on the page: everything that undo goes over and that is kept. */
 
 import { JOBS, type Finished, type Job, type SettingValues } from "../../engine/protocol";
-import type { Paper } from "../drawing/paper";
-import type { Track } from "../run/track";
-import type { Subject } from "../subject/subject";
-import type { Cover } from "../surface/cover";
+import type { Paper } from "../../tasks/multiview/drawing/paper";
+import type { Track } from "./track";
+import type { Subject } from "../../tasks/stroke/given";
+import type { Cover } from "../../tasks/fill/given";
 
 export { JOBS, type Job } from "../../engine/protocol";
 

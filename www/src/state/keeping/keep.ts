@@ -3,8 +3,8 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import type { Snapshot } from "../../engine/protocol";
 import { EMPTY_DESK, type Doc, type Made } from "./document";
-import type { Sheet, Track } from "../run/track";
-import type { Cover } from "../surface/cover";
+import type { Sheet, Track } from "./track";
+import type { Cover } from "../../tasks/fill/given";
 
 /** A run under way; what it has come to so far lies in the snapshots. */
 export type KeptRun = Omit<Track, "snapshots">;

@@ -4,7 +4,7 @@ import { BLANK, differingJob, type Doc } from "./document";
 import { Edits } from "./edits";
 import { Keep, tenancy } from "./keep";
 import type { Snapshot } from "../../engine/protocol";
-import type { Track } from "../run/track";
+import type { Track } from "./track";
 
 export interface ProjectState {
   readonly doc: Doc;

@@ -7,14 +7,14 @@ import type { Job, ViewMeasures } from "../../engine/protocol";
 import { sheetOf } from "../../engine/sheet";
 import { readFragment } from "../address/fragment";
 import { fragmentIn } from "../address/pasted";
-import { pixelsOf } from "../drawing/picture";
+import { pixelsOf } from "../picture/picture";
 import { untouched, withDesk, type Made } from "../keeping/document";
 import { NOTHING_TO_SEE } from "../run/runner";
 import type { Options } from "../settings/options";
-import { whenIdle, type Bench } from "../studio-state";
-import type { Subject } from "../subject/subject";
-import { wordsOf, type Cover, type CoverWords } from "../surface/cover";
-import { asSentence, DURING_A_RUN, explain, named } from "../words";
+import { whenIdle, type Bench } from "../contract/state";
+import type { Subject } from "../../tasks/stroke/given";
+import { wordsOf, type Cover, type CoverWords } from "../../tasks/fill/given";
+import { asSentence, DURING_A_RUN, explain, named } from "../common/words";
 
 /** Where a wire comes from: an example also tells how well it matches, since the core cannot measure without pictures. */
 type From = { readonly source: "link" } | { readonly source: "example"; readonly measured: readonly ViewMeasures[] };
@@ -96,7 +96,7 @@ export class Opener {
   }
 
   private async viewsExample(): Promise<void> {
-    const { EXAMPLE_VIEWS, exampleCode, examplePapers } = await import("../example/example");
+    const { EXAMPLE_VIEWS, exampleCode, examplePapers } = await import("../../tasks/multiview/example");
     // Aside, as codes are; here where there is no worker.
     const read = (drawing: Blob) => this.bench.engine.call("sheet", { drawing }).catch(() => sheetOf(drawing));
     const [code, papers] = await Promise.all([exampleCode(), examplePapers(read)]);
@@ -107,7 +107,7 @@ export class Opener {
   }
 
   private async strokeExample(): Promise<void> {
-    const { strokeExample } = await import("../example/stroke");
+    const { strokeExample } = await import("../../tasks/stroke/example");
     const { code, subject, measured } = await strokeExample();
     if (this.tooLate("stroke")) return;
     this.bench.project.amend((doc) => (untouched(doc, "stroke") ? { ...doc, subject } : doc));
@@ -118,7 +118,7 @@ export class Opener {
   }
 
   private async fillExample(): Promise<void> {
-    const { FILL_COVER, fillCode } = await import("../example/fill");
+    const { FILL_COVER, fillCode } = await import("../../tasks/fill/example");
     const code = await fillCode();
     if (this.tooLate("fill")) return;
     // First, so that no curve is sought for what is about to have a wire.

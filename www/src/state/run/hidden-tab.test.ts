@@ -1,7 +1,7 @@
 import { beforeEach, expect, it, vi } from "vitest";
 import { HiddenTab, type WhenHidden } from "./hidden-tab";
 import { READY, Runner, type RunState } from "./runner";
-import { freshTrack, type Track } from "./track";
+import { freshTrack, type Track } from "../keeping/track";
 
 const fresh: Track = freshTrack({ job: "multiview", sheets: [] }, {});
 

@@ -1,7 +1,7 @@
 /** Where runs are computed: what is asked for, what the core makes of it, and what becomes of that on the way. */
 
 import type { Backend, Place } from "../../engine/protocol";
-import { asSentence, explain } from "../words";
+import { asSentence, explain } from "../common/words";
 
 export interface Whereabouts {
   readonly asked: Backend;

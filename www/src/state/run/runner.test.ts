@@ -3,8 +3,8 @@ import { Cancelled, Problem } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
 import type { Finished, Frame, News, SettingValues, Snapshot, Work } from "../../engine/protocol";
 import { READY, Runner, type RunState } from "./runner";
-import type { Subject } from "../subject/subject";
-import { freshTrack, upTo, type Track } from "./track";
+import type { Subject } from "../../tasks/stroke/given";
+import { freshTrack, upTo, type Track } from "../keeping/track";
 
 const wire = (x: number): WireShape => ({ closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], controlPoints: Array<number>(16).fill(x) });
 const snapshot = (iteration: number): Snapshot => ({ iteration, iterations: 100, loss: 1 / iteration, wire: wire(-iteration), checkpoint: new Blob([String(iteration)]) });

@@ -3,13 +3,13 @@
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
 import type { Backend, Drawing, Finished, Frame, Job, News, Place, Snapshot, Target, View, Work } from "../../engine/protocol";
-import { drawingOf } from "../drawing/paper";
-import { pixelsOf } from "../drawing/picture";
-import { nextTask } from "../next-task";
-import { maskOf } from "../subject/subject";
-import { coveredOf } from "../surface/cover";
-import { withEvent, withFrame, withSnapshot, type Given, type Track } from "./track";
-import { asSentence } from "../words";
+import { drawingOf } from "../../tasks/multiview/drawing/paper";
+import { pixelsOf } from "../picture/picture";
+import { nextTask } from "../common/next-turn";
+import { maskOf } from "../../tasks/stroke/given";
+import { coveredOf } from "../../tasks/fill/given";
+import { withEvent, withFrame, withSnapshot, type Given, type Track } from "../keeping/track";
+import { asSentence } from "../common/words";
 
 export type Phase = "idle" | "preparing" | "running" | "paused" | "finishing";
 

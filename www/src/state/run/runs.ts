@@ -3,12 +3,12 @@
 import type { WireShape } from "../../embed/shape";
 import type { Backend, Finished, Job, News } from "../../engine/protocol";
 import { deskOf, SLOTS, withDesk, type Doc, type Made } from "../keeping/document";
-import { whenIdle, type Bench } from "../studio-state";
-import { explain } from "../words";
+import { whenIdle, type Bench } from "../contract/state";
+import { explain } from "../common/words";
 import type { Placer } from "./placer";
-import { sheetsOf } from "./previewer";
+import { sheetsOf } from "../../tasks/multiview/previewer";
 import { NOTHING_TO_SEE, READY, Runner, type RunState, type Scene } from "./runner";
-import { freshTrack, jobOf, upTo, type Given, type Track } from "./track";
+import { freshTrack, jobOf, upTo, type Given, type Track } from "../keeping/track";
 
 export class Runs {
   /** Of the run under way, whichever job is looked at. */

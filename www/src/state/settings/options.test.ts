@@ -1,8 +1,8 @@
 import { beforeEach, expect, it } from "vitest";
 import type { SettingRow, SettingsTable, SettingsTables } from "../../engine/protocol";
 import { BLANK, type Doc, type Job } from "../keeping/document";
-import { Store } from "../store";
-import type { Bench, StudioState } from "../studio-state";
+import { Store } from "../common/store";
+import type { Bench, StudioState } from "../contract/state";
 import { Options } from "./options";
 
 const row = (name: string, group: SettingRow["group"], more: Partial<SettingRow> = {}): SettingRow => ({

@@ -3,7 +3,7 @@
 import type { Job, SettingsTables, SettingValues } from "../../engine/protocol";
 import { known, presetOf, problemWith } from "../address/fragment";
 import { deskOf, JOBS, withDesk } from "../keeping/document";
-import { tableOf, type Bench } from "../studio-state";
+import { tableOf, type Bench } from "../contract/state";
 
 /** Settings that say what is made, not how long it takes: a preset leaves them alone, and so it does whole groups. */
 const NOT_OF_PRESETS: Readonly<Record<Job, readonly string[]>> = {

@@ -1,9 +1,9 @@
 /** What a screen reader hears of the page, at a bearable pace. */
 
 import { JOBS, type Made, type Phase, type StudioState } from "../../state/studio";
-import { percent } from "../../state/words";
+import { percent } from "../../state/common/words";
 import { compared } from "../run/compared";
-import { verdict } from "../run/verdict";
+import { verdict } from "../../tasks/multiview/verdict";
 
 const PHASES: Readonly<Record<Phase, string>> = {
   idle: "",

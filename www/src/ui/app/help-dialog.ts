@@ -1,7 +1,7 @@
 import { css, html, LitElement } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
-import { remember, remembered } from "../../state/keeping/remember";
+import { remember, remembered } from "../../state/common/remember";
 import { dialogStyle } from "../shared/dialog-style";
 import { controls } from "../shared/shared";
 import { SHORTCUTS } from "./shortcuts";

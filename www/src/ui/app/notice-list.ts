@@ -1,7 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
-import { count } from "../../view/count";
+import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
 import { engineProblem } from "./engine-check";
 import { icons } from "../shared/icons";

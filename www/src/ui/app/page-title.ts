@@ -1,7 +1,7 @@
 /** What the tab says: how far a run is, for those who look elsewhere meanwhile. */
 
 import type { Phase } from "../../state/studio";
-import { percent } from "../../state/words";
+import { percent } from "../../state/common/words";
 
 export const PLAIN_TITLE = "Wire4D: pictures into one wire";
 

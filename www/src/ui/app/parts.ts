@@ -6,13 +6,13 @@ import type { Job } from "../../state/studio";
  * answering; until it has come, its elements lie empty in their places.
  */
 export async function loadParts(): Promise<void> {
-  await Promise.all([import("./parts-run"), import("./parts-pictures"), import("./parts-stage")]);
+  await Promise.all([import("./parts-run"), import("../../tasks/multiview/parts/parts"), import("./parts-stage")]);
 }
 
 /** What only one of the other jobs needs comes when that is first looked at. */
 export async function loadPartsOf(job: Job): Promise<void> {
-  if (job === "stroke") await import("./parts-stroke");
-  if (job === "fill") await import("./parts-fill");
+  if (job === "stroke") await import("../../tasks/stroke/parts/parts");
+  if (job === "fill") await import("../../tasks/fill/parts/parts");
 }
 
 /** Resolves when everything below has been rendered. */

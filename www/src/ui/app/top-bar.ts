@@ -4,8 +4,8 @@ import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
-import { jobTabs, jobTabsStyle } from "./job-tabs";
-import { chooseTheme, nextTheme, theme, type Theme } from "./theme";
+import { jobTabs, jobTabsStyle } from "./task-tabs";
+import { chooseTheme, nextTheme, theme, type Theme } from "../shared/theme";
 
 const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
 

@@ -2,27 +2,27 @@ import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "../../embed/looks";
 import type { Faults } from "../../engine/protocol";
-import { nextTask } from "../../state/next-task";
-import { explain } from "../../state/words";
+import { nextTask } from "../../state/common/next-turn";
+import { explain } from "../../state/common/words";
 import { deskOf, SLOTS, Studio, tableOf, type Job, type StudioState } from "../../state/studio";
 import { layout, NARROW } from "./app-layout";
-import type { EditRequest } from "../pads/drawing-pad";
+import type { EditRequest } from "../../tasks/multiview/parts/drawing-pad";
 import "./drop-hint";
 import "./live-region";
 import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
 import { loadParts, loadPartsOf, rendered } from "./parts";
-import { remember, remembered } from "../../state/keeping/remember";
+import { remember, remembered } from "../../state/common/remember";
 import type { ResultPanel } from "../run/result-panel";
-import type { ShapePad } from "../surface/shape-pad";
+import type { ShapePad } from "../../tasks/fill/parts/shape-pad";
 import type { SavePanel } from "../save/save-panel";
 import { controls } from "../shared/shared";
 import { actionOf, isTaken, type Action } from "./shortcuts";
 import { tabs, tabsStyle, type Tab } from "./tabs";
 import "./top-bar";
-import type { Subject } from "../../state/subject/subject";
-import { solidKey } from "../../state/surface/cover";
-import type { SubjectEvents } from "../subject/subject-events";
+import type { Subject } from "../../tasks/stroke/given";
+import { solidKey } from "../../tasks/fill/given";
+import type { SubjectEvents } from "../../tasks/stroke/parts/subject-events";
 import type { Heading } from "../../view/heading";
 import type { WireComparison } from "../run/wire-comparison";
 import type { WireStage } from "../stage/wire-stage";
@@ -292,7 +292,7 @@ export class WireApp extends LitElement {
 
   /** The editor is loaded when it is first wanted. */
   private edit(opened: EditRequest): void {
-    void import("../pads/pad-editor");
+    void import("../../tasks/multiview/parts/pad-editor");
     this.editing = opened;
   }
 
@@ -300,7 +300,7 @@ export class WireApp extends LitElement {
 
   /** Loaded when it is first wanted. */
   private readonly openBrush = (): void => {
-    void import("../subject/mask-editor");
+    void import("../../tasks/stroke/parts/mask-editor");
     this.brushing = true;
   };
 

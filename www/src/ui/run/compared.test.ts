@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { Finished } from "../../engine/protocol";
 import type { Made } from "../../state/keeping/document";
-import { freshTrack } from "../../state/run/track";
+import { freshTrack } from "../../state/keeping/track";
 import { compared, gapOf, meanMatch } from "./compared";
 
 type Numbers = readonly [front: number, side: number, pieces: number, gap: number];

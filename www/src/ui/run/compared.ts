@@ -1,9 +1,9 @@
 /** What one wire and loose strokes have to tell of each other. */
 
 import type { Made } from "../../state/keeping/document";
-import { percent } from "../../state/words";
-import { count } from "../../view/count";
-import { match } from "./verdict";
+import { percent } from "../../state/common/words";
+import { count } from "../../state/common/count";
+import { match } from "../../tasks/multiview/verdict";
 
 /** Matches that differ by less look alike. */
 const ALIKE = 0.02;

@@ -1,7 +1,7 @@
 /** Where a wire fails, in words. */
 
 import type { Faults } from "../../engine/protocol";
-import { count } from "../../view/count";
+import { count } from "../../state/common/count";
 
 export const FAULTS = { tight: "Bends", penetrating: "Strands" } as const satisfies Record<keyof Faults, string>;
 

@@ -3,19 +3,19 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import type { WireShape } from "../../embed/shape";
 import type { Faults } from "../../engine/protocol";
 import type { Made } from "../../state/keeping/document";
-import { percent } from "../../state/words";
+import { percent } from "../../state/common/words";
 import { deskOf, SLOTS, type Job, type StudioState } from "../../state/studio";
-import { count } from "../../view/count";
+import { count } from "../../state/common/count";
 import "../../view/loss-curve";
 import "../../view/match-panels";
 import type { Match, MatchPanels } from "../../view/match-panels";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
-import { covered, worldLength } from "../surface/covered";
-import type { CoveredViews } from "../surface/covered-views";
+import { covered, worldLength } from "../../tasks/fill/verdict";
+import type { CoveredViews } from "../../tasks/fill/parts/covered-views";
 import { FAULTS, faultWords } from "./faults";
-import type { TurnedViews } from "./turned-views";
-import { match, verdict } from "./verdict";
+import type { TurnedViews } from "../../tasks/stroke/parts/turned-views";
+import { match, verdict } from "../../tasks/multiview/verdict";
 
 /** One array, so that it changes nothing. */
 const FRONT = ["front"];

@@ -1,7 +1,7 @@
 import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
-import { percent } from "../../state/words";
+import { percent } from "../../state/common/words";
 import { Part } from "../../view/part";
 import { segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";

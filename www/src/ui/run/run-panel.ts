@@ -1,10 +1,10 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { showsExample, type Studio, type StudioState } from "../../state/studio";
-import { timeLeft } from "../../state/words";
-import { count } from "../../view/count";
+import { timeLeft } from "../../state/common/words";
+import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
-import { JOB_WORDS } from "../app/job-tabs";
+import { JOB_WORDS } from "../app/task-tabs";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
 import { barStyle, controls } from "../shared/shared";

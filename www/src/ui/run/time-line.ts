@@ -2,7 +2,7 @@ import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { RunEvent, Snapshot } from "../../engine/protocol";
 import type { Studio, StudioState } from "../../state/studio";
-import { count } from "../../view/count";
+import { count } from "../../state/common/count";
 import { eventWords } from "../../view/event-words";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";

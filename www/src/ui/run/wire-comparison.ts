@@ -1,8 +1,8 @@
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { deskOf, type Made, type Studio, type StudioState } from "../../state/studio";
-import { percent } from "../../state/words";
-import { count } from "../../view/count";
+import { percent } from "../../state/common/words";
+import { count } from "../../state/common/count";
 import { viewFrom } from "../../view/heading";
 import { Part } from "../../view/part";
 import { SMALL_PX, SmallPictures, type SmallPicture } from "../../view/small-pictures";

@@ -1,7 +1,7 @@
 /** Where a run is computed, in words. */
 
 import type { Place } from "../../engine/protocol";
-import { count } from "../../view/count";
+import { count } from "../../state/common/count";
 import { WORDS } from "./setting-words";
 
 /** "Graphics card · Apple M2"; a processor has no name that says more. */

@@ -1,7 +1,7 @@
 /** What a person typed for a setting: whether it is possible, and if not, what would be. */
 
 import type { SettingRow } from "../../engine/protocol";
-import { count } from "../../view/count";
+import { count } from "../../state/common/count";
 
 /** Empty where the value is possible. */
 export function refusal(row: SettingRow, text: string): string {

@@ -7,11 +7,11 @@ import type { Vec3 } from "../../embed/matrix";
 import type { WireShape } from "../../embed/shape";
 import { Stage, StageUnavailable, type Vantage, type ViewName } from "../../embed/stage";
 import type { Job } from "../../engine/protocol";
-import { nextTask } from "../../state/next-task";
+import { nextTask } from "../../state/common/next-turn";
 import type { Heading } from "../../view/heading";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
-import { isDark } from "../app/theme";
+import { isDark } from "../shared/theme";
 
 const VIEWS: Readonly<Record<Job, readonly ViewName[]>> = {
   multiview: ["room", "front", "side", "top"],

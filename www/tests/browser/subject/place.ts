@@ -2,13 +2,13 @@
 
 import { html, render } from "lit";
 import type { FoundObject, Pixels } from "../../../src/engine/protocol";
-import { readPicture } from "../../../src/state/drawing/picture";
-import type { MaskStroke, Subject } from "../../../src/state/subject/subject";
+import { readPicture } from "../../../src/state/picture/picture";
+import type { MaskStroke, Subject } from "../../../src/tasks/stroke/given";
 import "../../../src/styles.css";
-import { startTheme } from "../../../src/ui/app/theme";
-import "../../../src/ui/subject/mask-editor";
-import type { Given } from "../../../src/ui/subject/subject-events";
-import "../../../src/ui/subject/subject-pad";
+import { startTheme } from "../../../src/ui/shared/theme";
+import "../../../src/tasks/stroke/parts/mask-editor";
+import type { Given } from "../../../src/tasks/stroke/parts/subject-events";
+import "../../../src/tasks/stroke/parts/subject-pad";
 import "./place.css";
 
 interface Doc {

@@ -1,0 +1,72 @@
+/** What is remembered of a run: its losses, events, and a wire every few iterations. Immutable. */
+
+import type { Frame, Job, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
+import type { Slot } from "./document";
+import type { Paper } from "../../tasks/multiview/drawing/paper";
+import type { Subject } from "../../tasks/stroke/given";
+import { solidName, type Cover } from "../../tasks/fill/given";
+
+/** What a run is about, as it was given. */
+export type Given =
+  /** The drawings by the pads they were in, in the run's order. */
+  | { readonly job: "multiview"; readonly sheets: readonly Sheet[] }
+  | { readonly job: "stroke"; readonly subject: Subject }
+  | { readonly job: "fill"; readonly cover: Cover };
+
+export interface Sheet {
+  readonly slot: Slot;
+  readonly paper: Paper;
+}
+
+export interface Track {
+  readonly given: Given;
+  readonly settings: SettingValues;
+  /** Loose strokes, to be laid beside the wire on the stage and not to take its place. */
+  readonly loose?: boolean;
+  readonly iterations: number;
+  /** [iteration, loss] in order. */
+  readonly losses: readonly (readonly [iteration: number, loss: number])[];
+  readonly events: readonly RunEvent[];
+  readonly snapshots: readonly Snapshot[];
+}
+
+export function freshTrack(given: Given, settings: SettingValues): Track {
+  return { given, settings, iterations: 0, losses: [], events: [], snapshots: [] };
+}
+
+export const jobOf = ({ given }: Track): Job => given.job;
+
+/** What people call what a run is about: its drawings, in the run's order, its picture, or its shape. */
+export function labelsOf({ given }: Pick<Track, "given">): readonly string[] {
+  if (given.job === "fill") return [solidName(given.cover.solid)];
+  return given.job === "stroke" ? [given.subject.picture.name] : given.sheets.map(({ paper }) => paper.label);
+}
+
+/** More losses than a curve of this many points can show are thinned out. */
+const MOST_LOSSES = 600;
+
+export function withFrame(track: Track, frame: Frame): Track {
+  const losses = [...track.losses.filter(([iteration]) => iteration < frame.iteration), [frame.iteration, frame.loss] as const];
+  const thinned = losses.length > MOST_LOSSES ? losses.filter((_, i) => i % 2 === 0 || i === losses.length - 1) : losses;
+  return { ...track, iterations: frame.iterations, losses: thinned };
+}
+
+export function withEvent(track: Track, event: RunEvent): Track {
+  return { ...track, events: [...track.events, event] };
+}
+
+export function withSnapshot(track: Track, snapshot: Snapshot): Track {
+  const before = track.snapshots.filter(({ iteration }) => iteration < snapshot.iteration);
+  return { ...track, iterations: snapshot.iterations, snapshots: [...before, snapshot] };
+}
+
+/** The same as it was at a snapshot: what came later is gone. */
+export function upTo(track: Track, snapshot: Snapshot): Track {
+  const until = snapshot.iteration;
+  return {
+    ...track,
+    losses: track.losses.filter(([iteration]) => iteration <= until),
+    events: track.events.filter(({ iteration, kind }) => iteration <= until && kind !== "done"),
+    snapshots: track.snapshots.filter(({ iteration }) => iteration <= until),
+  };
+}

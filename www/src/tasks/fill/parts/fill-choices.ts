@@ -1,0 +1,158 @@
+import { css, html } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import type { Studio, StudioState } from "../../../state/studio";
+import { percent } from "../../../state/common/words";
+import { Part } from "../../../view/part";
+import { WORDS } from "../../../ui/settings/setting-words";
+import { choiceStyle } from "../../../ui/shared/choice";
+import { barStyle, controls } from "../../../ui/shared/shared";
+
+interface Slider {
+  readonly name: string;
+  readonly label: string;
+  /** Of the slider; the setting itself goes further. */
+  readonly range: readonly [min: number, max: number, step: number];
+  readonly ends: readonly [string, string];
+  /** Of the value, for people. */
+  words(value: number): string;
+}
+
+const SPACING: Slider = {
+  name: "curve_spacing",
+  label: "Spacing",
+  range: [0.03, 0.16, 0.005],
+  ends: ["Close", "Wide"],
+  // The shape is two units across.
+  words: (value) => `${(50 * value).toFixed(1)}% of its size`,
+};
+const DENSITY: Slider = { name: "density", label: "Density", range: [0.1, 1, 0.05], ends: ["Light", "Dark"], words: (value) => `${percent(value)} wire` };
+const STYLE: Slider = { name: "style_strength", label: "Style", range: [0, 1, 0.05], ends: ["Not at all", "All of it"], words: percent };
+
+/** What matters most where a wire covers a shape: how close its lines lie, how dark they are, and how far the style bends them. */
+@customElement("fill-choices")
+export class FillChoices extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+
+  static override styles = [
+    controls,
+    choiceStyle,
+    barStyle,
+    css`
+      :host {
+        display: block;
+        container-type: inline-size;
+        min-width: 0;
+      }
+      .all {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr);
+        gap: 12px;
+      }
+      .off b {
+        color: var(--quiet);
+      }
+      .run {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 8px;
+        font-size: 13px;
+        color: var(--quiet);
+      }
+      select {
+        flex: 0 1 auto;
+        color: var(--ink);
+      }
+      @container (max-width: 199px) {
+        .run {
+          display: grid;
+        }
+      }
+      /* Always there: nothing jumps when lines are laid. */
+      .laying {
+        display: grid;
+        gap: 4px;
+        min-height: 24px;
+      }
+      .laying:not(.busy) .bar {
+        visibility: hidden;
+      }
+      /* A phone: side by side. */
+      @container (min-width: 300px) {
+        .all {
+          grid-template-columns: repeat(2, minmax(0, 1fr));
+          gap: 12px 24px;
+        }
+        .laying {
+          grid-column: 1 / -1;
+        }
+        .run {
+          display: grid;
+          grid-template-columns: minmax(0, 1fr);
+          align-content: start;
+          gap: 4px;
+        }
+        select {
+          width: 100%;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { covering, doc } = this.state;
+    const styled = doc.cover?.style != null;
+    const busy = covering !== null;
+    return html`<div class="all">
+      ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "needs a style")}
+      <label class="run">Lines run ${this.flow(styled)}</label>
+      <div class=${busy ? "laying busy" : "laying"}>
+        <div class="bar"><i></i></div>
+        <span class="small quiet" role="status">${busy ? "Laying the lines…" : this.words()}</span>
+      </div>
+    </div>`;
+  }
+
+  protected override updated(): void {
+    this.style.setProperty("--share", String(this.state.covering ?? 0));
+  }
+
+  private words(): string {
+    const { planned, restyled, curve, doc, phase } = this.state;
+    if (phase !== "idle") return "";
+    if (planned) return !curve ? "" : doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
+    return restyled ? "Cover it again to see that." : "";
+  }
+
+  /** `why` it cannot be set, or empty. */
+  private slider({ name, label, range, ends, words }: Slider, why = "") {
+    const [min, max, step] = range;
+    const value = Number(this.studio.options.value(name) || min);
+    const locked = this.state.phase !== "idle" || why !== "";
+    return html`<div class="choice ${why ? "off" : ""}">
+      <label class="head" for=${name}><span>${label}</span><b>${why || words(value)}</b></label>
+      <input
+        id=${name}
+        type="range"
+        min=${min}
+        max=${max}
+        step=${step}
+        aria-valuetext=${words(value)}
+        .value=${String(value)}
+        ?disabled=${locked}
+        @input=${(event: Event) => this.studio.options.set(name, (event.target as HTMLInputElement).value)}
+      />
+      <div class="ends" aria-hidden="true"><span>${ends[0]}</span><span>${ends[1]}</span></div>
+    </div>`;
+  }
+
+  private flow(styled: boolean) {
+    const flow = this.studio.options.value("flow") || "smooth";
+    return html`<select ?disabled=${this.state.phase !== "idle"} @change=${(event: Event) => this.studio.options.set("flow", (event.target as HTMLSelectElement).value)}>
+      ${Object.entries(WORDS["flow"]!.choices!).map(
+        ([value, words]) => html`<option value=${value} .selected=${value === flow} ?disabled=${value === "style" && !styled}>${words}</option>`,
+      )}
+    </select>`;
+  }
+}

@@ -1,0 +1,4 @@
+import "./covered-views";
+import "./fill-choices";
+import "./shape-pad";
+import "./style-shelf";

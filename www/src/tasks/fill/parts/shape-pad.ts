@@ -1,0 +1,193 @@
+import { css, html, nothing, type PropertyValues } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { Up } from "../../../engine/protocol";
+import { SHAPES, solidKey, solidName } from "../given";
+import type { Studio, StudioState } from "../../../state/studio";
+import { asSentence } from "../../../state/common/words";
+import { count } from "../../../state/common/count";
+import { Part } from "../../../view/part";
+import { chosenFile } from "../../../ui/shared/drop";
+import { icons } from "../../../ui/shared/icons";
+import { controls } from "../../../ui/shared/shared";
+import { shapeIcon } from "./shape-icons";
+import { tiles, tilesStyle } from "./tiles";
+
+/** What browsers should offer; whatever else is chosen, the core says what is wrong with it. */
+const MESH_FILES = ".obj,.stl,.ply,.3mf,.glb,.gltf";
+
+/** What is up in a file, by where that is usual. */
+const UPS = { z: "Z, as for printing", y: "Y, as on screens" } as const;
+
+/** The shape that a wire covers: one by formula, or a mesh from a file. */
+@customElement("shape-pad")
+export class ShapePad extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  /** The problem somebody has read and closed. */
+  @state() private readProblem = "";
+  @query("#mesh") private file!: HTMLInputElement;
+
+  static override styles = [
+    controls,
+    tilesStyle,
+    css`
+      svg {
+        width: 50px;
+        height: 50px;
+      }
+      .picture svg.icon {
+        width: 22px;
+        height: 22px;
+        color: var(--quiet);
+      }
+      .clay {
+        fill: var(--clay);
+      }
+      .rim {
+        fill: var(--line-strong);
+      }
+      :is(.wire, .edge, .tube, .limb) {
+        fill: none;
+        stroke-linecap: round;
+        stroke-linejoin: round;
+      }
+      .wire {
+        stroke: var(--copper);
+        stroke-width: 1.3;
+      }
+      .limb,
+      .tube {
+        stroke: var(--clay);
+      }
+      .tube {
+        stroke-width: 7;
+      }
+      .edge {
+        stroke: var(--raised);
+        stroke-width: 9;
+        stroke-linecap: butt;
+      }
+      :host {
+        --clay: color-mix(in srgb, var(--line) 75%, var(--line-strong));
+      }
+      @media (forced-colors: active) {
+        :host {
+          --clay: color-mix(in srgb, CanvasText 25%, Canvas);
+        }
+      }
+      .up {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        justify-content: space-between;
+        gap: 4px 8px;
+        margin-block-start: 8px;
+        color: var(--quiet);
+      }
+      .up select {
+        min-width: 0;
+        color: var(--ink);
+      }
+      .line {
+        min-height: 37px;
+        margin: 6px 0 0;
+        overflow-wrap: anywhere;
+      }
+      .problem {
+        display: flex;
+        align-items: start;
+        gap: 4px;
+        margin: 6px 0 0;
+        padding: 8px;
+        padding-inline-end: 0;
+        border: 1px solid var(--error);
+        border-radius: 6px;
+        background: var(--raised);
+        color: var(--error);
+        overflow-wrap: anywhere;
+      }
+      .problem span {
+        flex: 1;
+        min-width: 0;
+      }
+      .problem button {
+        min-height: 32px;
+        width: 32px;
+      }
+      @media (pointer: coarse) {
+        .problem button {
+          min-height: 44px;
+          width: 44px;
+        }
+      }
+    `,
+  ];
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    const before = changed.get("state") as StudioState | undefined;
+    // The same may go wrong twice.
+    if (before && (before.dressing !== this.state.dressing || before.coverProblem !== this.state.coverProblem)) this.readProblem = "";
+  }
+
+  override render() {
+    const { doc, dressing, phase, coverProblem } = this.state;
+    const solid = doc.cover?.solid ?? null;
+    const locked = phase !== "idle";
+    const own = solid && !("shape" in solid);
+    const problem = dressing.problem || coverProblem;
+    return html`
+      <h2 id="shape">Shape</h2>
+      <fieldset class="tiles" aria-labelledby="shape" aria-busy=${dressing.busy}>
+        ${tiles(
+          "shape",
+          SHAPES.map((value) => ({ value, words: solidName({ shape: value }), picture: shapeIcon(value) })),
+          solid && solidKey(solid),
+          locked,
+          (value) => this.studio.dressing.shape(value as (typeof SHAPES)[number]),
+        )}
+        <button id="open" class=${own ? "chosen" : ""} title=${own ? `${solid.name}. Open another mesh` : "Open a mesh: OBJ, STL, PLY, 3MF, GLB or glTF"} ?disabled=${locked} @click=${this.openFile}>
+          <span class="picture">${icons.open}</span><span class="words"><span class="unseen">Open a mesh: </span>${own ? solid.name : "Your mesh…"}</span>
+        </button>
+      </fieldset>
+      ${own ? this.upright(solid.up ?? "y", locked) : nothing}
+      ${problem && problem !== this.readProblem
+        ? html`<div class="problem small" role="alert">
+            <span>${problem}</span>
+            <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>
+          </div>`
+        : html`<p class="line small quiet" role="status">${this.line()}</p>`}
+      <input id="mesh" type="file" accept=${MESH_FILES} hidden tabindex="-1" aria-label="Mesh" @change=${this.chosen} />
+    `;
+  }
+
+  /** For a person who wants to choose a file. */
+  openFile(): void {
+    this.file.click();
+  }
+
+  /** Few files say what is up in them. */
+  private upright(up: Up, locked: boolean) {
+    return html`<label class="up small">
+      Up in this file
+      <select ?disabled=${locked} @change=${(event: Event) => this.studio.dressing.turn((event.target as HTMLSelectElement).value as Up)}>
+        ${Object.entries(UPS).map(([value, words]) => html`<option value=${value} .selected=${value === up}>${words}</option>`)}
+      </select>
+    </label>`;
+  }
+
+  /** One line or two, always there: nothing jumps when they are filled. */
+  private line() {
+    const { doc, dressing, surface } = this.state;
+    if (dressing.busy) return "Reading…";
+    if (!doc.cover) return "Choose one, or drop a mesh: OBJ, STL, PLY, 3MF, GLB or glTF.";
+    if (!surface) return nothing;
+    const { triangles, notes } = surface;
+    const words = [`${count(triangles)} triangles.`, ...notes.map(asSentence)].join(" ");
+    return html`<span title=${words}>${words}</span>`;
+  }
+
+  private readonly chosen = (event: Event): void => {
+    const file = chosenFile(event);
+    if (file) void this.studio.dressing.open(file, file.name || "the mesh");
+  };
+}

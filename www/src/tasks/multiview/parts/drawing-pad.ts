@@ -1,0 +1,448 @@
+import { css, html, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { DrawingPreview, Ink } from "../../../engine/protocol";
+import { SLOTS, type Slot } from "../../../state/keeping/document";
+import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../drawing/paper";
+import type { Studio, StudioState } from "../../../state/studio";
+import { percent, placement } from "../../../state/common/words";
+import { Part } from "../../../view/part";
+import { icons } from "../../../ui/shared/icons";
+import "./ink-canvas";
+import type { Pen } from "./ink-canvas";
+import { chosenFile, Landing, problemOver } from "../../../ui/shared/drop";
+import { controls } from "../../../ui/shared/shared";
+
+export type EditorTab = "draw" | "type" | "icons" | "picture";
+
+export interface EditRequest {
+  readonly slot: Slot;
+  readonly tab: EditorTab;
+}
+
+export const FIRST_PEN: Pen = { erase: false, widthPx: 16 };
+/** From here on all of the ink counts as shown. */
+export const AS_GOOD_AS_ALL = 0.985;
+
+export const titled = (slot: Slot): string => slot.charAt(0).toUpperCase() + slot.slice(1);
+
+/** Where arranging took a drawing, as a short aside: "from the top, mirrored". */
+export const movedBy = (slot: Slot, preview: DrawingPreview): string => placement(slot, preview).replace(/^Seen f/, "F").replace(/\.$/, "").toLowerCase();
+
+/** The paper's ink as an image. */
+export const inkOf = (paper: Paper): Ink => ({ width: PAPER_PX, height: PAPER_PX, ink: compose(paper) });
+
+export const pictureIn = (paper: Paper | null): PictureLayer | undefined =>
+  paper?.layers.find((layer): layer is PictureLayer => layer.kind === "picture");
+
+/**
+ * One view's drawing: the ink as the optimiser sees it, to be drawn on at once with mouse or pen. Fires `open-editor`
+ * (an EditRequest) when somebody wants the large sheet.
+ */
+@customElement("drawing-pad")
+export class DrawingPad extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  @property() slotName: Slot = "front";
+  private readonly landing = new Landing(this, { isLocked: () => this.locked, give: (file) => this.give(file) });
+  /** The problem somebody has read and closed. */
+  @state() private readProblem = "";
+  @query("input") private input!: HTMLInputElement;
+  @query(".menu") private menu!: HTMLElement;
+  @query(".opener") private opener!: HTMLElement;
+
+  static override styles = [
+    controls,
+    problemOver,
+    css`
+      :host {
+        display: block;
+        container-type: inline-size;
+        min-width: 0;
+      }
+      .head {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        min-height: 32px;
+      }
+      h2 {
+        color: var(--ink);
+      }
+      .moved {
+        flex: 1;
+        min-width: 0;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .opener {
+        margin-inline-start: auto;
+        margin-inline-end: -6px;
+        width: 32px;
+        min-height: 32px;
+        color: var(--quiet);
+      }
+      .row {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        gap: 8px;
+      }
+      .sheet {
+        position: relative;
+        aspect-ratio: 1;
+        overflow: hidden;
+        border: 1px solid var(--line);
+        border-radius: 6px;
+        background: var(--raised);
+        box-shadow: var(--shadow);
+        color: var(--ink);
+        transition: border-color 150ms ease;
+      }
+      .sheet:hover {
+        border-color: var(--line-strong);
+      }
+      .over .sheet {
+        border-color: var(--copper);
+        outline: 2px solid var(--copper);
+      }
+      ink-canvas {
+        position: absolute;
+        inset: 0;
+        transition: opacity 150ms ease;
+      }
+      .busy ink-canvas {
+        opacity: 0.4;
+      }
+      .locked .sheet:hover {
+        border-color: var(--line);
+      }
+      .invitation {
+        position: absolute;
+        inset: 0;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: 8px;
+        margin: 8px;
+        border: 1.5px dashed var(--line-strong);
+        border-radius: 4px;
+        padding: 8px;
+        text-align: center;
+        text-wrap: balance;
+        color: var(--quiet);
+        pointer-events: none;
+      }
+      .short {
+        display: none;
+      }
+      .over .invitation {
+        border-color: var(--copper);
+        color: var(--ink);
+      }
+      .tools {
+        display: flex;
+        flex-direction: column;
+        justify-content: space-between;
+        gap: 2px;
+      }
+      .tools button {
+        flex: 1 1 auto;
+        max-height: 48px;
+        color: var(--quiet);
+      }
+      .tools button:hover:not(:disabled),
+      .opener:hover:not(:disabled) {
+        color: var(--ink);
+      }
+      .line {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        height: 20px;
+        margin: 4px 0 0;
+        overflow: hidden;
+        white-space: nowrap;
+      }
+      .line span {
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      .hatch {
+        flex: none;
+        width: 16px;
+        height: 10px;
+        border: 1px solid var(--amber);
+        border-radius: 2px;
+        background: repeating-linear-gradient(-45deg, var(--amber) 0 2px, transparent 2px 4px);
+      }
+      .line b {
+        font-weight: 600;
+        color: var(--amber-text);
+      }
+      .menu {
+        position: fixed;
+        inset: auto;
+        min-width: 208px;
+        margin: 0;
+        padding: 4px;
+        border: 1px solid var(--line);
+        border-radius: 6px;
+        background: var(--raised);
+        color: var(--ink);
+        box-shadow: var(--shadow);
+      }
+      .menu button {
+        display: flex;
+        justify-content: flex-start;
+        width: 100%;
+        min-height: 36px;
+        border-color: transparent;
+        background: none;
+      }
+      .menu button:is(:hover, :focus-visible):not(:disabled) {
+        background: color-mix(in srgb, var(--ink) 7%, transparent);
+      }
+      .menu hr {
+        margin: 4px 8px;
+        border: 0;
+        border-block-start: 1px solid var(--line);
+      }
+      .menu .icon {
+        color: var(--quiet);
+      }
+      @container (max-width: 199px) {
+        .row {
+          grid-template-columns: minmax(0, 1fr);
+          gap: 4px;
+        }
+        .tools {
+          flex-direction: row;
+        }
+      }
+      /* A third of a phone's width: the sheet is the button, all else is in the editor and the menu. */
+      @container (max-width: 149px) {
+        .head {
+          min-height: 36px;
+          gap: 0;
+        }
+        .tools,
+        .head .moved,
+        .line .more,
+        .invitation .long {
+          display: none;
+        }
+        .invitation {
+          gap: 4px;
+          margin: 4px;
+        }
+        .invitation .short {
+          display: inline;
+        }
+        .problem {
+          padding: 6px;
+          font-size: 12px;
+          line-height: 1.25;
+        }
+        .problem button {
+          position: static;
+          float: inline-end;
+          margin: -6px;
+        }
+      }
+      @media (pointer: coarse) {
+        .opener {
+          width: 44px;
+          min-height: 44px;
+          margin-block: -6px;
+          margin-inline-end: -10px;
+        }
+        .menu button {
+          min-height: 44px;
+        }
+      }
+      @media (forced-colors: active) {
+        .hatch {
+          forced-color-adjust: none;
+        }
+      }
+    `,
+  ];
+
+  private get paper(): Paper | null {
+    return this.state.doc.papers[this.slotName];
+  }
+
+  private get locked(): boolean {
+    return this.state.phase !== "idle";
+  }
+
+  override render() {
+    const { state, slotName, paper, locked } = this;
+    const { busy, problem } = state.pads[slotName];
+    const preview = paper ? state.preview?.drawings[slotName] : undefined;
+    const moved = preview ? movedBy(slotName, preview) : "";
+    const name = titled(slotName);
+    return html`
+      <section
+        class="${this.landing.over ? "over" : ""} ${busy ? "busy" : ""} ${locked ? "locked" : ""}"
+        aria-label="${name} drawing"
+        aria-busy=${busy}
+        @dragover=${this.landing.dragOver}
+        @dragleave=${this.landing.dragLeave}
+        @drop=${this.landing.drop}
+      >
+        <div class="head">
+          <h2>${name}</h2>
+          <span class="moved small quiet" title=${moved || nothing}>${moved}</span>
+          <button
+            class="opener plain square"
+            aria-label="More for the ${slotName} drawing"
+            title="More"
+            aria-haspopup="menu"
+            ?disabled=${locked}
+            @click=${this.openMenu}
+          >
+            ${icons.ellipsis}
+          </button>
+        </div>
+        <div class="row">
+          <div class="sheet" @click=${this.tapped}>
+            <ink-canvas
+              .ink=${preview?.seen ?? (paper ? inkOf(paper) : null)}
+              .missing=${preview?.missing ?? null}
+              .pen=${locked || busy ? null : FIRST_PEN}
+              name=${this.described(preview?.coverable)}
+              @stroke=${this.drawn}
+            ></ink-canvas>
+            ${paper || busy ? nothing : this.invitation()}
+            ${problem && problem !== this.readProblem
+              ? html`<p class="problem small" role="alert">
+                  <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
+                </p>`
+              : nothing}
+          </div>
+          <div class="tools" role="group" aria-label="Tools for the ${slotName} drawing">
+            ${this.tool("Draw", icons.pencil, () => this.edit("draw"))} ${this.tool("Type a word or an emoji", icons.type, () => this.edit("type"))}
+            ${this.tool("Take an icon", icons.shapes, () => this.edit("icons"))} ${this.tool("Choose a picture", icons.picture, () => this.input.click())}
+          </div>
+        </div>
+        <p class="line small quiet">${this.line(preview?.coverable)}</p>
+        <div class="menu small" role="menu" aria-label="More for the ${slotName} drawing" popover @keydown=${this.menuKey} @click=${this.closeMenu}>
+          ${this.menuItems()}
+        </div>
+        <input type="file" accept="image/*" hidden tabindex="-1" @change=${this.chosen} />
+      </section>
+    `;
+  }
+
+  private tool(words: string, icon: unknown, act: () => void) {
+    return html`<button class="plain square" aria-label="${words}, ${this.slotName}" title=${words} ?disabled=${this.locked} @click=${act}>${icon}</button>`;
+  }
+
+  private invitation() {
+    const words = this.landing.over
+      ? "Drop it here"
+      : html`<span class="long">Draw here, or drop a picture</span><span class="short">Draw</span>`;
+    return html`<div class="invitation small">${icons.pencil}${words}</div>`;
+  }
+
+  /** One line, always there: nothing jumps when it is filled. */
+  private line(coverable: number | undefined) {
+    const { busy, note } = this.state.pads[this.slotName];
+    if (busy) return html`<span>Reading…</span>`;
+    if (coverable !== undefined && coverable < AS_GOOD_AS_ALL) {
+      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">of it can be </span>shown</span>`;
+    }
+    if (note) return html`<span title=${note}>${note}</span>`;
+    return html`<span>${coverable === undefined ? (this.paper?.label ?? "") : "All can be shown"}</span>`;
+  }
+
+  private described(coverable: number | undefined): string {
+    const { paper, slotName } = this;
+    if (!paper) return `${titled(slotName)}: empty sheet`;
+    return `${titled(slotName)}: ${paper.label}${coverable === undefined ? "" : `, ${percent(coverable)} of it can be shown`}`;
+  }
+
+  private menuItems() {
+    const { studio, slotName, paper } = this;
+    const picture = pictureIn(paper);
+    const item = (words: string, icon: unknown, act: () => void, off = !paper) =>
+      html`<button role="menuitem" tabindex="-1" ?disabled=${off} @click=${act}>${icon}<span>${words}</span></button>`;
+    const invert = (): void => {
+      const dark = picture!.found.polarity === "dark";
+      void studio.pads.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
+    };
+    return html`
+      ${item("Draw, type or take an icon", icons.pencil, () => this.edit("draw"), false)}
+      ${item("Choose a picture", icons.picture, () => this.input.click(), false)}
+      <hr role="separator" />
+      ${item("Mirror", icons.mirror, () => studio.pads.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => studio.pads.turn(slotName, 1))}
+      ${item("Turn right", icons.turnRight, () => studio.pads.turn(slotName, 3))}
+      ${SLOTS.filter((other) => other !== slotName).map((other) =>
+        item(`Swap with ${other}`, icons.swap, () => studio.pads.swap(slotName, other), !paper && !this.state.doc.papers[other]),
+      )}
+      ${picture
+        ? html`<hr role="separator" />
+            ${item("Swap ink and ground", icons.invert, invert)} ${item("Set how dark ink is", icons.settings, () => this.edit("picture"))}`
+        : nothing}
+      <hr role="separator" />
+      ${item("Clear", icons.clear, () => studio.pads.clear(slotName))}
+    `;
+  }
+
+  private edit(tab: EditorTab): void {
+    if (this.locked) return;
+    this.dispatchEvent(new CustomEvent<EditRequest>("open-editor", { detail: { slot: this.slotName, tab }, bubbles: true, composed: true }));
+  }
+
+  /** A finger is too thick for a small sheet: it gets the large one. */
+  private tapped(event: MouseEvent): void {
+    const onButton = event.composedPath().some((target) => target instanceof HTMLButtonElement);
+    if (!onButton && event instanceof PointerEvent && event.pointerType === "touch") this.edit("draw");
+  }
+
+  private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
+    this.studio.pads.set(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
+  }
+
+  private give(file: File | undefined): void {
+    if (file && !this.locked) void this.studio.pads.give(this.slotName, file, file.name || "The picture");
+  }
+
+  private chosen(event: Event): void {
+    this.give(chosenFile(event));
+  }
+
+  private openMenu(): void {
+    const { menu, opener } = this;
+    menu.showPopover();
+    const around = opener.getBoundingClientRect();
+    const { width, height } = menu.getBoundingClientRect();
+    const left = getComputedStyle(this).direction === "rtl" ? around.left : around.right - width;
+    const below = around.bottom + 4;
+    const top = below + height <= innerHeight - 8 ? below : Math.max(8, innerHeight - 8 - height);
+    menu.style.setProperty("left", `${Math.min(innerWidth - width - 8, Math.max(8, left))}px`);
+    menu.style.setProperty("top", `${top}px`);
+    this.menuButtons()[0]?.focus();
+  }
+
+  private closeMenu(): void {
+    this.menu.hidePopover();
+    this.opener.focus();
+  }
+
+  private menuButtons(): readonly HTMLButtonElement[] {
+    return [...this.menu.querySelectorAll<HTMLButtonElement>("button:not(:disabled)")];
+  }
+
+  private menuKey(event: KeyboardEvent): void {
+    const buttons = this.menuButtons();
+    const at = buttons.indexOf(this.shadowRoot!.activeElement as HTMLButtonElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
+    if (event.key === "Tab") this.closeMenu();
+    if (to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    buttons.at(to % buttons.length)?.focus();
+  }
+}

@@ -1,0 +1,2 @@
+import "./drawing-pad";
+import "./remedy-list";

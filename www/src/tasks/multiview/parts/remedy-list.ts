@@ -1,0 +1,195 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import type { BendPreview } from "../../../engine/protocol";
+import type { PadRemedy, PreviewBySlot } from "../previewer";
+import { SLOTS, type Studio, type StudioState } from "../../../state/studio";
+import { percent } from "../../../state/common/words";
+import { Part } from "../../../view/part";
+import { AS_GOOD_AS_ALL, movedBy } from "./drawing-pad";
+import { icons } from "../../../ui/shared/icons";
+import { controls } from "../../../ui/shared/shared";
+
+const BENDS: Readonly<Record<string, string>> = { none: "Do not bend", little: "Bend a little", free: "Bend freely" };
+const NAME = "What can be shown";
+/** More than these are no help but a list to read. */
+const MOST_REMEDIES = 3;
+
+/** How much of the drawings can be shown together, and what would help. */
+@customElement("remedy-list")
+export class RemedyList extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: block;
+        container-type: inline-size;
+      }
+      section {
+        display: grid;
+        align-content: start;
+        gap: 8px;
+        min-height: 24px;
+      }
+      p {
+        margin: 0;
+        text-wrap: pretty;
+      }
+      .sum {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        min-height: 24px;
+      }
+      .sum .icon {
+        color: var(--copper-text);
+      }
+      .sum strong {
+        font-weight: 600;
+      }
+      .some strong {
+        color: var(--amber-text);
+      }
+      .busy {
+        opacity: 0.6;
+      }
+      ul {
+        display: grid;
+        gap: 4px;
+        margin: 0;
+        padding: 0;
+        list-style: none;
+      }
+      button {
+        width: 100%;
+        justify-content: flex-start;
+        gap: 8px;
+        padding: 4px 8px;
+        text-align: start;
+        line-height: 1.25;
+      }
+      .arranged button {
+        display: inline;
+        width: auto;
+        min-height: 24px;
+        padding: 2px 0;
+        color: var(--copper-text);
+        text-decoration: underline;
+      }
+      button .words {
+        flex: 1;
+        min-width: 0;
+      }
+      button .words small {
+        display: block;
+        font-size: 13px;
+        color: var(--quiet);
+      }
+      button > .icon {
+        color: var(--quiet);
+      }
+      .gain {
+        flex: none;
+        color: var(--quiet);
+      }
+      .gain b {
+        font-weight: 600;
+        color: var(--ink);
+      }
+      [aria-pressed="true"] {
+        border-color: var(--copper);
+        background: var(--copper-wash, var(--raised));
+      }
+      .tick {
+        visibility: hidden;
+      }
+      [aria-pressed="true"] .tick {
+        visibility: visible;
+        color: var(--copper-text);
+      }
+      @media (forced-colors: active) {
+        [aria-pressed="true"] {
+          border: 2px solid Highlight;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { preview, previewBusy, previewProblem, doc, phase } = this.state;
+    const drawings = Object.values(doc.papers).filter(Boolean).length;
+    if (drawings < 2) return this.only(drawings === 0 ? "Two or three drawings make a wire." : "One more drawing, and a wire can be made.");
+    if (previewProblem) return html`<section aria-label=${NAME}><p class="small" role="alert">${previewProblem}</p></section>`;
+    if (!preview) return this.only(previewBusy ? "Finding where the drawings agree…" : "");
+    const locked = phase !== "idle";
+    const now = preview.coverable;
+    const remedies = preview.remedies.slice(0, MOST_REMEDIES);
+    const bends = preview.bends.filter(({ bend, coverable, likeness }) => bend === "none" || (coverable !== null && likeness !== null));
+    return html`<section class=${previewBusy ? "busy" : ""} aria-label=${NAME} aria-busy=${previewBusy}>
+      ${now >= AS_GOOD_AS_ALL
+        ? html`<p class="sum">${icons.check}All of the ink can be shown.</p>`
+        : html`<p class="sum some"><span>Only <strong>${percent(now)}</strong> of the ink can be shown together.</span></p>`}
+      ${this.arranged(preview, locked)}
+      ${remedies.length > 0 ? html`<ul aria-label="What would help">${remedies.map((remedy) => this.remedy(remedy, now, locked))}</ul>` : nothing}
+      ${bends.length > 1 && now < AS_GOOD_AS_ALL ? html`<ul aria-label="Bending">${bends.map((bend) => this.bend(bend, locked))}</ul>` : nothing}
+      ${preview.notes.map((note) => html`<p class="small quiet">${note}</p>`)}
+    </section>`;
+  }
+
+  private only(words: string): TemplateResult {
+    return html`<section aria-label=${NAME}><p class="sum small quiet">${words}</p></section>`;
+  }
+
+  /** What arranging has gained, and the way back. */
+  private arranged({ asGiven, coverable, drawings }: PreviewBySlot, locked: boolean): TemplateResult | typeof nothing {
+    const moved = SLOTS.some((slot) => drawings[slot] && movedBy(slot, drawings[slot]!));
+    if (!moved || this.studio.options.value("arrange") !== "on") return nothing;
+    return html`<p class="arranged small quiet">
+      <span>Arranged for you: ${percent(asGiven)} → ${percent(coverable)}.</span>
+      <button class="plain small" ?disabled=${locked} @click=${() => this.studio.options.set("arrange", "off")}>Keep as I put them</button>
+    </p>`;
+  }
+
+  private remedy(remedy: PadRemedy, now: number, locked: boolean): TemplateResult {
+    const [words, icon] = asked(remedy);
+    return html`<li>
+      <button class="small" ?disabled=${locked} @click=${() => this.studio.applyRemedy(remedy)}>
+        ${icon}<span class="words">${words}</span>
+        <span class="gain">${percent(now)} → <b>${percent(remedy.coverable)}</b></span>
+      </button>
+    </li>`;
+  }
+
+  private bend(choice: BendPreview, locked: boolean): TemplateResult {
+    const { bend, coverable, likeness, movedPx } = choice;
+    const price = bend === "none" || likeness === null ? "" : `Ink moves by ${(movedPx ?? 0).toFixed(1)} of 256 px; ${percent(likeness)} matches what was drawn`;
+    return html`<li>
+      <button
+        class="small"
+        aria-pressed=${this.studio.options.value("bend") === bend}
+        ?disabled=${locked}
+        @click=${() => this.studio.options.set("bend", bend)}
+      >
+        <span class="tick">${icons.check}</span>
+        <span class="words">${BENDS[bend] ?? bend}${price ? html`<small>${price}</small>` : nothing}</span>
+        ${coverable === null ? nothing : html`<span class="gain"><b>${percent(coverable)}</b></span>`}
+      </button>
+    </li>`;
+  }
+}
+
+function asked({ kind, slots, quarterTurns }: PadRemedy): readonly [string, TemplateResult] {
+  const [a, b] = slots;
+  switch (kind) {
+    case "mirror":
+      return [`Mirror the ${a} drawing`, icons.mirror];
+    case "turn":
+      return [`Turn the ${a} drawing ${["", "left", "upside down", "right"][quarterTurns % 4]}`, quarterTurns % 4 === 3 ? icons.turnRight : icons.turnLeft];
+    case "swap":
+      return [`Swap ${a} and ${b}`, icons.swap];
+    case "arrange":
+      return ["Arrange for me", icons.arrange];
+  }
+}

@@ -1,0 +1,3 @@
+import "./stroke-choices";
+import "./turned-views";
+import "./subject-pad";

@@ -1,0 +1,408 @@
+/** A picture with its object in full colour and all else veiled; to be tapped, or painted on with mouse, pen, finger or keys. */
+
+import { css, html, nothing, type PropertyValues } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { FoundObject, Ink } from "../../../engine/protocol";
+import type { KeptPicture } from "../../multiview/drawing/paper";
+import { maskOf, maskSize, maskStroke, paint, placesOf, type Brush, type MaskStroke, type Subject } from "../given";
+import { PLAIN } from "../../../view/paint";
+import { Part } from "../../../view/part";
+import { controls } from "../../../ui/shared/shared";
+import { outline, SOFT_LEVEL, softened } from "./outline";
+
+/** A place in the picture, in shares of its width and height. */
+export type Place = readonly [x: number, y: number];
+
+/** More numbers than this would hide the picture. */
+export const MOST_NUMBERS = 9;
+/** A point closer to the last one adds nothing, px of the mask. */
+const LEAST_STEP_PX = 1;
+/** Of the keys, shares of the longer side. */
+const STEP = 1 / 64;
+const BIG_STEP = 1 / 16;
+/** How much of the picture the veil hides: of the ground, and of what else was found. */
+const VEIL = 0.82;
+const THIN_VEIL = 0.5;
+/** Between two lines of the ground's hatching, CSS px. */
+const HATCH_PX = 7;
+const ARROWS: Readonly<Record<string, Place>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** Fires `tap` (a Place) where there is no brush, and `stroke` (a MaskStroke) where a stroke was finished. */
+@customElement("subject-canvas")
+export class SubjectCanvas extends Part {
+  @property({ attribute: false }) subject: Subject | null = null;
+  /** Without a brush there is nothing to paint with. */
+  @property({ attribute: false }) brush: Brush | null = null;
+  @property() name = "Picture";
+  @state() private painting = false;
+  @state() private told = "";
+  @query(".frame") private frame!: HTMLElement;
+  @query("#picture") private picture!: HTMLCanvasElement;
+  @query("#over") private over!: HTMLCanvasElement;
+  @query(".ring") private ring!: HTMLElement | null;
+  /** The mask with the stroke under way, or with one that is not in the subject yet. */
+  private live: Ink | null = null;
+  /** px of the mask. */
+  private points: number[] = [];
+  private pointer: number | null = null;
+  /** The brush's place, for the keys. */
+  private at: Place = [0.5, 0.5];
+  private frameDue = 0;
+  private shown: KeptPicture | null = null;
+  private readonly sizes = new ResizeObserver(() => this.repaint());
+  private readonly forced = matchMedia("(forced-colors: active)");
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        place-items: center;
+        container-type: size;
+      }
+      .frame {
+        position: relative;
+        width: min(100cqw, 100cqh * var(--aspect, 1));
+        aspect-ratio: var(--aspect, 1);
+        overflow: hidden;
+      }
+      .frame:focus-visible {
+        outline-offset: -3px;
+      }
+      canvas {
+        position: absolute;
+        inset: 0;
+        display: block;
+        width: 100%;
+        height: 100%;
+      }
+      /* Pictures with holes are on white paper for the wire, too. */
+      #picture {
+        background: #fff;
+        forced-color-adjust: none;
+      }
+      .tappable {
+        cursor: pointer;
+      }
+      .paintable {
+        cursor: none;
+        touch-action: none;
+      }
+      .ring {
+        position: absolute;
+        min-width: 10px;
+        aspect-ratio: 1;
+        translate: -50% -50%;
+        border: 2px solid var(--copper);
+        border-radius: 50%;
+        outline: 1.5px solid var(--raised);
+        box-shadow: inset 0 0 0 1.5px var(--raised);
+        pointer-events: none;
+        opacity: 0;
+      }
+      .ring.takes {
+        border-style: dashed;
+        border-color: var(--ink);
+      }
+      .ring::before,
+      .ring.adds::after {
+        content: "";
+        position: absolute;
+        inset: 0;
+        margin: auto;
+        width: 9px;
+        height: 2px;
+        background: var(--ink);
+        box-shadow: 0 0 0 1px var(--raised);
+      }
+      .ring.adds::after {
+        rotate: 90deg;
+      }
+      .paintable:is(:hover, :focus-visible) .ring {
+        opacity: 1;
+      }
+      @media (forced-colors: active) {
+        .ring {
+          forced-color-adjust: none;
+          border-color: Highlight;
+        }
+      }
+    `,
+  ];
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener("theme-change", this.repaint);
+    this.forced.addEventListener("change", this.repaint);
+    if (this.hasUpdated) this.sizes.observe(this.frame);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener("theme-change", this.repaint);
+    this.forced.removeEventListener("change", this.repaint);
+    this.sizes.disconnect();
+  }
+
+  override render() {
+    const { subject, brush } = this;
+    const paints = subject && brush;
+    return html`<div
+        part="frame"
+        class="frame ${paints ? "paintable" : "tappable"}"
+        ?hidden=${!subject}
+        role=${paints ? "application" : "img"}
+        aria-label=${this.name}
+        aria-description=${paints ? "Arrow keys move the brush, with Shift in larger steps. Space starts and ends a stroke. Escape takes it back." : nothing}
+        tabindex=${paints ? 0 : nothing}
+        @click=${paints ? nothing : this.tapped}
+        @pointerdown=${this.down}
+        @pointermove=${this.move}
+        @pointerup=${this.up}
+        @pointercancel=${this.cancel}
+        @keydown=${paints ? this.key : nothing}
+        @blur=${this.finish}
+      >
+        <canvas id="picture"></canvas>
+        <canvas id="over"></canvas>
+        ${paints ? html`<div class="ring ${brush.adds ? "adds" : "takes"}"></div>` : nothing}
+      </div>
+      ${paints ? html`<p class="unseen" role="status">${this.told}</p>` : nothing}`;
+  }
+
+  protected override firstUpdated(): void {
+    this.sizes.observe(this.frame);
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    const { subject, brush } = this;
+    if (changed.has("brush") && !brush) this.cancel();
+    if (changed.has("subject")) {
+      // What was painted by hand is in the subject now, unless the hand paints on.
+      if (this.points.length === 0) this.live = null;
+      if (subject && subject.picture !== this.shown) void this.show(subject.picture);
+      this.repaint();
+    }
+    if (subject && brush) this.placeRing();
+  }
+
+  private async show(picture: KeptPicture): Promise<void> {
+    this.shown = picture;
+    const { width, height, rgba } = picture;
+    this.frame.style.setProperty("--aspect", String(width / height));
+    const data = new Uint8ClampedArray(await rgba.arrayBuffer());
+    if (this.shown !== picture) return;
+    this.picture.width = width;
+    this.picture.height = height;
+    this.picture.getContext("2d", PLAIN)!.putImageData(new ImageData(data, width, height), 0, 0);
+  }
+
+  /** At most once a frame. */
+  private readonly repaint = (): void => {
+    if (this.frameDue) return;
+    this.frameDue = requestAnimationFrame(() => {
+      this.frameDue = 0;
+      const { over, frame, subject } = this;
+      const scale = devicePixelRatio;
+      over.width = Math.round(frame.clientWidth * scale);
+      over.height = Math.round(frame.clientHeight * scale);
+      const mask = this.live ?? (subject && maskOf(subject));
+      if (mask && over.width && over.height) paintOver(over, scale, mask, subject!, getComputedStyle(this), !this.brush);
+    });
+  };
+
+  private place({ clientX, clientY }: MouseEvent): Place {
+    const { left, top, width, height } = this.frame.getBoundingClientRect();
+    return [(clientX - left) / width, (clientY - top) / height];
+  }
+
+  private tapped(event: MouseEvent): void {
+    if (this.subject) this.dispatchEvent(new CustomEvent<Place>("tap", { detail: this.place(event) }));
+  }
+
+  private down(event: PointerEvent): void {
+    if (!this.brush || !this.subject || event.button !== 0 || !event.isPrimary || this.pointer !== null) return;
+    this.finish();
+    this.frame.setPointerCapture(event.pointerId);
+    this.pointer = event.pointerId;
+    this.goTo(this.place(event), true);
+  }
+
+  private move(event: PointerEvent): void {
+    if (!this.brush) return;
+    const paints = event.pointerId === this.pointer;
+    const parts = paints ? (event.getCoalescedEvents?.() ?? []) : [];
+    for (const part of parts.length > 0 ? parts : [event]) this.goTo(this.place(part), paints);
+  }
+
+  private up(event: PointerEvent): void {
+    if (event.pointerId !== this.pointer) return;
+    this.goTo(this.place(event), true);
+    this.finish();
+  }
+
+  private key(event: KeyboardEvent): void {
+    const arrow = ARROWS[event.key];
+    if (arrow && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      const { width, height } = this.subject!.picture;
+      const step = (event.shiftKey ? BIG_STEP : STEP) * Math.max(width, height);
+      const [x, y] = [this.at[0] + (step * arrow[0]) / width, this.at[1] + (step * arrow[1]) / height];
+      this.goTo([Math.min(1, Math.max(0, x)), Math.min(1, Math.max(0, y))], this.painting);
+    } else if (event.key === " " && !event.repeat) {
+      const where = `${Math.round(100 * this.at[0])}% across, ${Math.round(100 * this.at[1])}% down`;
+      if (this.painting) {
+        this.finish();
+        this.told = `Brush lifted at ${where}.`;
+      } else {
+        this.painting = true;
+        this.goTo(this.at, true);
+        this.told = `Brush down at ${where}.`;
+      }
+    } else if (event.key === "Escape" && this.points.length > 0) {
+      this.cancel();
+      this.told = "Stroke taken back.";
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** Brings the brush to a place, painting on the way or not. */
+  private goTo(place: Place, paints: boolean): void {
+    this.at = place;
+    this.placeRing();
+    if (paints) this.addPoint(place);
+  }
+
+  private placeRing(): void {
+    const { ring, at, subject, brush } = this;
+    if (!ring || !subject || !brush) return;
+    const { width, height } = subject.picture;
+    ring.style.setProperty("left", `${100 * at[0]}%`);
+    ring.style.setProperty("top", `${100 * at[1]}%`);
+    ring.style.setProperty("width", `${(100 * brush.width * Math.max(width, height)) / width}%`);
+  }
+
+  private addPoint([x, y]: Place): void {
+    const { points, brush, subject } = this;
+    if (!brush || !subject) return;
+    const { width, height } = maskSize(subject);
+    const [px, py] = [x * width, y * height];
+    const count = points.length;
+    if (count > 0 && Math.hypot(px - points[count - 2]!, py - points[count - 1]!) < LEAST_STEP_PX) return;
+    if (!this.live) {
+      const ink = maskOf(subject)?.ink.slice() ?? new Uint8Array(width * height);
+      this.live = { width, height, ink };
+    }
+    const from = count > 0 ? [points[count - 2]! / width, points[count - 1]! / height] : [];
+    paint(this.live, { ...brush, points: [...from, x, y] });
+    points.push(px, py);
+    this.repaint();
+  }
+
+  private finish(): void {
+    const { points, brush, subject } = this;
+    this.rest();
+    if (points.length === 0 || !brush || !subject) return;
+    this.dispatchEvent(new CustomEvent<MaskStroke>("stroke", { detail: maskStroke(points, maskSize(subject), brush) }));
+  }
+
+  private cancel(): void {
+    this.rest();
+    this.live = null;
+    this.repaint();
+  }
+
+  private rest(): void {
+    this.points = [];
+    this.pointer = null;
+    this.painting = false;
+  }
+}
+
+/** What lies over the picture: a hatched veil on all that is not the object, outlines, and numbers where there is a choice. */
+function paintOver(canvas: HTMLCanvasElement, scale: number, mask: Ink, { found, object }: Subject, style: CSSStyleDeclaration, numbered: boolean): void {
+  const { width, height } = canvas;
+  const colour = (name: string): string => style.getPropertyValue(`--${name}`);
+  const context = canvas.getContext("2d", PLAIN)!;
+  const others = found && found.count > 1 ? otherThings(found, object, mask) : null;
+  context.drawImage(veil(mask, others), 0, 0, width, height);
+  context.globalCompositeOperation = "source-in";
+  context.fillStyle = colour("paper");
+  context.fillRect(0, 0, width, height);
+  context.globalCompositeOperation = "source-atop";
+  context.globalAlpha = 0.3;
+  hatch(context, width, height, HATCH_PX * scale);
+  context.strokeStyle = colour("line-strong");
+  context.lineWidth = scale;
+  context.stroke();
+  context.globalCompositeOperation = "source-over";
+  const line = (ink: Ink, inner: string, innerPx: number): void => {
+    const path = pathOf(outline(softened(ink), SOFT_LEVEL), width / ink.width, height / ink.height);
+    context.lineCap = "round";
+    for (const [stroke, alpha, px] of [[colour("raised"), 0.85, innerPx + 2], [inner, 1, innerPx]] as const) {
+      context.globalAlpha = alpha;
+      context.strokeStyle = stroke;
+      context.lineWidth = px * scale;
+      context.stroke(path);
+    }
+  };
+  if (others) line(others, colour("quiet"), 1);
+  line(mask, colour("copper"), 2);
+  if (found && found.count > 1 && numbered) numbers(context, scale, found, object, colour);
+}
+
+function otherThings({ labels, width, height }: FoundObject, object: number, { ink }: Ink): Ink {
+  return { width, height, ink: labels.map((label, i) => (label !== 0 && label !== object && ink[i]! < 128 ? 255 : 0)) };
+}
+
+/** Opaque where the picture is to be hidden. */
+function veil({ width, height, ink }: Ink, others: Ink | null): OffscreenCanvas {
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext("2d", PLAIN)!;
+  const pixels = context.createImageData(width, height);
+  for (let i = 0; i < ink.length; i++) pixels.data[4 * i + 3] = (others?.ink[i] ? THIN_VEIL : VEIL) * (255 - ink[i]!);
+  context.putImageData(pixels, 0, 0);
+  return canvas;
+}
+
+function hatch(context: CanvasRenderingContext2D, width: number, height: number, period: number): void {
+  context.beginPath();
+  for (let x = -height; x < width; x += period * Math.SQRT2) {
+    context.moveTo(x, height);
+    context.lineTo(x + height, 0);
+  }
+}
+
+function pathOf(segments: Float32Array, across: number, down: number): Path2D {
+  const path = new Path2D();
+  for (let i = 0; i < segments.length; i += 4) {
+    path.moveTo(across * segments[i]!, down * segments[i + 1]!);
+    path.lineTo(across * segments[i + 2]!, down * segments[i + 3]!);
+  }
+  return path;
+}
+
+function numbers(context: CanvasRenderingContext2D, scale: number, found: FoundObject, object: number, colour: (name: string) => string): void {
+  const radius = 10 * scale;
+  context.font = `600 ${12 * scale}px Figtree, system-ui, sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineWidth = 1.5 * scale;
+  for (const [i, [x, y]] of placesOf(found).slice(0, MOST_NUMBERS).entries()) {
+    const chosen = i + 1 === object;
+    const at = [x * context.canvas.width, y * context.canvas.height] as const;
+    context.beginPath();
+    context.arc(...at, radius, 0, 2 * Math.PI);
+    context.fillStyle = chosen ? colour("ink") : colour("raised");
+    context.fill();
+    context.strokeStyle = colour(chosen ? "raised" : "ink");
+    context.stroke();
+    context.fillStyle = colour(chosen ? "raised" : "ink");
+    context.fillText(String(i + 1), at[0], at[1] + 0.5 * scale);
+  }
+}

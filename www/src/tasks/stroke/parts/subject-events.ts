@@ -1,0 +1,25 @@
+/** What the elements for one picture tell whoever placed them. */
+
+import type { MaskStroke } from "../given";
+
+/** A picture that somebody gives, with what to call it. */
+export interface Given {
+  readonly file: Blob;
+  readonly name: string;
+}
+
+/** Each is a CustomEvent that bubbles out of every shadow root, with this detail. */
+export interface SubjectEvents {
+  give: Given;
+  "give-depth": Given;
+  "clear-depth": null;
+  "clear-subject": null;
+  "choose-object": { readonly object: number };
+  /** The new list of strokes. */
+  paint: { readonly strokes: readonly MaskStroke[] };
+  "open-brush": null;
+}
+
+export function tell<Kind extends keyof SubjectEvents>(from: EventTarget, kind: Kind, detail: SubjectEvents[Kind]): void {
+  from.dispatchEvent(new CustomEvent(kind, { detail, bubbles: true, composed: true }));
+}

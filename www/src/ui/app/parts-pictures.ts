@@ -1,2 +1,0 @@
-import "../pads/drawing-pad";
-import "../pads/remedy-list";

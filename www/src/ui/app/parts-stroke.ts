@@ -1,3 +1,0 @@
-import "../run/stroke-choices";
-import "../run/turned-views";
-import "../subject/subject-pad";
