@@ -4,5 +4,9 @@ import { startTheme } from "./ui/shared/theme";
 startTheme();
 // One after the other: to run all scripts at once would keep a slow machine from answering.
 await import("lit");
-await import("./state/studio");
-await import("./ui/app/wire-app");
+const { Studio } = await import("./state/studio");
+const { before, TASKS } = await import("./tasks/registry");
+const { WireApp } = await import("./ui/app/wire-app");
+
+const newWorker = (): Worker => new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "wire4d" });
+document.body.prepend(new WireApp(new Studio({ tasks: TASKS, before, newWorker }), TASKS));

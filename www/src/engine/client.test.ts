@@ -1,6 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, EngineClient, Problem } from "./client";
-import type { Drawing } from "./protocol";
 
 class FakeWorker {
   static readonly all: FakeWorker[] = [];
@@ -31,36 +30,34 @@ const worker = () => FakeWorker.all.at(-1)!;
 
 beforeEach(() => {
   FakeWorker.all.length = 0;
-  vi.stubGlobal("Worker", FakeWorker);
   vi.spyOn(console, "error").mockImplementation(() => undefined);
-  client = new EngineClient(() => undefined);
+  client = new EngineClient(() => new FakeWorker() as unknown as Worker);
 });
 afterEach(() => {
-  vi.unstubAllGlobals();
   vi.restoreAllMocks();
 });
 
 it("ends a run, and asks a fresh worker what else was asked", async () => {
-  const settings = client.call("settings", {});
-  const run = client.call("run", { work: { job: "multiview", drawings: [] }, settings: {}, from: null });
-  const preview = client.call("preview", { drawings: [] as Drawing[], settings: {} });
+  const settings = client.call("settings", { tasks: [] });
+  const run = client.callEndable("run", { task: "knit", work: null, settings: {}, from: null });
+  const open = client.call("open", { code: "AB" });
   const first = worker();
   client.cancel();
   await expect(run).rejects.toBeInstanceOf(Cancelled);
   expect(first.ended).toBe(true);
-  expect(worker().asked.map(({ call }) => call)).toEqual(["settings", "preview"]);
+  expect(worker().asked.map(({ call }) => call)).toEqual(["settings", "open"]);
   worker().answer("settings", "table");
-  worker().answer("preview", "seen");
+  worker().answer("open", "seen");
   // What the one that was ended still had to say is for nobody.
   first.answer("settings", "late");
-  expect([await settings, await preview]).toEqual(["table", "seen"]);
+  expect([await settings, await open]).toEqual(["table", "seen"]);
 });
 
 it("tells everybody who waits when the worker breaks, and starts another at the next call", async () => {
-  const settings = client.call("settings", {});
+  const settings = client.call("settings", { tasks: [] });
   worker().onerror({ message: "broken", preventDefault: () => undefined });
   await expect(settings).rejects.toBeInstanceOf(Problem);
-  const again = client.call("settings", {});
+  const again = client.call("settings", { tasks: [] });
   expect(FakeWorker.all).toHaveLength(2);
   worker().answer("settings", "table");
   expect(await again).toBe("table");

@@ -10,12 +10,10 @@ export class Cancelled extends Error {}
 interface Waiting {
   readonly call: CallName;
   readonly given: object;
+  readonly endable: boolean;
   resolve(answer: unknown): void;
   reject(reason: Error): void;
 }
-
-/** What takes long, and can be ended before its time. */
-const ENDED: readonly CallName[] = ["run", "curve"];
 
 const CRASHED = "The engine stopped unexpectedly. What you gave it is still here; please try again.";
 const ABSENT = "The engine could not be started. Reload the page; if that does not help, use another browser or a normal window.";
@@ -23,28 +21,44 @@ const ABSENT = "The engine could not be started. Reload the page; if that does n
 export class EngineClient {
   private worker: Worker | null = null;
   private readonly waiting = new Map<number, Waiting>();
+  private readonly listeners: ((news: News) => void)[] = [];
   private nextId = 1;
 
-  constructor(private readonly onNews: (news: News) => void) {
+  /** `newWorker` throws where the browser allows none. */
+  constructor(private readonly newWorker: () => Worker) {
     this.start();
   }
 
   call<K extends CallName>(call: K, given: Calls[K]["arguments"]): Promise<Calls[K]["answer"]> {
-    return new Promise((resolve, reject) => this.ask({ call, given, resolve: resolve as (answer: unknown) => void, reject }));
+    return this.promise(call, given, false);
+  }
+
+  /** For what takes long: `cancel` ends it before its time. */
+  callEndable<K extends CallName>(call: K, given: Calls[K]["arguments"]): Promise<Calls[K]["answer"]> {
+    return this.promise(call, given, true);
+  }
+
+  /** Whoever wants to hear what the worker tells unasked. */
+  listen(listener: (news: News) => void): void {
+    this.listeners.push(listener);
   }
 
   control(control: Control["control"]): void {
     this.worker?.postMessage({ control } satisfies Control);
   }
 
-  /** Ends the run or the curve under way, even where it does not listen; what else was asked, a fresh worker is asked. */
+  /** Ends what takes long, even where it does not listen; what else was asked, a fresh worker is asked. */
   cancel(): void {
-    if (![...this.waiting.values()].some(({ call }) => ENDED.includes(call))) return;
+    if (![...this.waiting.values()].some(({ endable }) => endable)) return;
     for (const waiting of this.leave()) {
-      if (ENDED.includes(waiting.call)) waiting.reject(new Cancelled("cancelled"));
+      if (waiting.endable) waiting.reject(new Cancelled("cancelled"));
       else this.ask(waiting);
     }
     if (!this.worker) this.start();
+  }
+
+  private promise<K extends CallName>(call: K, given: object, endable: boolean): Promise<Calls[K]["answer"]> {
+    return new Promise((resolve, reject) => this.ask({ call, given, endable, resolve: resolve as (answer: unknown) => void, reject }));
   }
 
   private ask(waiting: Waiting): void {
@@ -62,7 +76,7 @@ export class EngineClient {
   private start(): Worker | null {
     let worker: Worker;
     try {
-      worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "wire4d" });
+      worker = this.newWorker();
     } catch (error) {
       console.error(error);
       return null;
@@ -71,7 +85,7 @@ export class EngineClient {
     worker.onmessage = ({ data }: MessageEvent<Answer | News>) => {
       heard = true;
       if ("news" in data) {
-        this.onNews(data);
+        for (const listener of this.listeners) listener(data);
         return;
       }
       const call = this.waiting.get(data.id);

@@ -24,107 +24,12 @@ export interface Picture extends Pixels {
   readonly name: string;
 }
 
-/** How ink is found in a picture. */
-export interface Reading {
-  /** Dark or light ink; `auto` takes a sheet, else the border's shade for ground. */
-  readonly ink: "auto" | "dark" | "light";
-  /** Least strength that counts as ink, above 0 up to 1, edges kept soft; 0 leaves tones as they are. */
-  readonly threshold: number;
-}
-
 /** One channel, 0 (ground) to 255 (ink). */
 export interface Ink {
   readonly width: number;
   readonly height: number;
   readonly ink: Uint8Array<ArrayBuffer>;
 }
-
-/** What the ink finder saw. */
-export interface FoundInk extends Ink {
-  readonly polarity: "dark" | "light";
-  /** What a person should know of how it was found, or empty; not with what was kept before there was any. */
-  readonly note?: string;
-}
-
-/** What of one picture is the object. */
-export interface FoundObject {
-  readonly width: number;
-  readonly height: number;
-  /** How much of each pixel is the object, 0 to 255; of the picture's own aspect, at most 512 px a side. */
-  readonly mask: Uint8Array<ArrayBuffer>;
-  /** Which object each pixel is, the largest first, from 1; 0 where there is nothing. */
-  readonly labels: Uint8Array<ArrayBuffer>;
-  readonly count: number;
-  /** What makes the finding doubtful, in sentences. */
-  readonly notes: readonly string[];
-}
-
-/** A drawing as it goes into a run: ink with the name of its pad. */
-export interface Drawing extends Ink {
-  readonly name: string;
-}
-
-/** What the app can do: several drawings to one wire, one picture to a wire in the round, or a wire that covers a shape. */
-export const JOBS = ["multiview", "stroke", "fill"] as const;
-export type Job = (typeof JOBS)[number];
-
-/** One picture as it goes into a run. */
-export interface Sitter {
-  readonly picture: Picture;
-  /** What of it is the object, of any size; null lets the app find it. */
-  readonly mask: Ink | null;
-  /** How near each pixel is, light is near. */
-  readonly depth: Picture | null;
-}
-
-/** Shapes and styles by formula, by the core's words, in the order people are shown. */
-export const SHAPES = ["sphere", "torus", "knot", "vase", "creature"] as const;
-export type ShapeName = (typeof SHAPES)[number];
-export const PATTERNS = ["petals", "waves", "calligraphy", "scales", "leaves"] as const;
-export type PatternName = (typeof PATTERNS)[number];
-
-/** The axis of a file that points up. */
-export type Up = "y" | "z";
-
-/** What is to be covered: a shape by formula, or a file. */
-export type Solid = { readonly shape: ShapeName } | SolidFile;
-
-export interface SolidFile {
-  /** Tells it from every other, also from its namesakes and from itself turned another way. */
-  readonly key: string;
-  readonly name: string;
-  readonly file: Blob;
-  /** Null for what is usual for its kind. What was kept before there was a choice has none, and y is up in it. */
-  readonly up?: Up | null;
-}
-
-/** What a run covers, and the picture whose look the wire takes on. */
-export interface Covered {
-  readonly solid: Solid;
-  readonly style: PatternName | Picture | null;
-}
-
-/** Triangles of a surface. */
-export interface Body {
-  /** x, y, z for each corner, world units; the whole fits the unit ball. */
-  readonly positions: Float32Array<ArrayBuffer>;
-  /** Three corners a triangle, counter-clockwise from outside. */
-  readonly indices: Uint32Array<ArrayBuffer>;
-}
-
-export interface FoundSurface extends Body {
-  readonly triangles: number;
-  /** What was mended about it, in sentences. */
-  readonly notes: readonly string[];
-  /** The axis that was up in its file; null for a shape by formula. */
-  readonly up: Up | null;
-}
-
-/** What a run is about. */
-export type Work =
-  | { readonly job: "multiview"; readonly drawings: readonly Drawing[] }
-  | { readonly job: "stroke"; readonly subject: Sitter }
-  | { readonly job: "fill"; readonly covered: Covered };
 
 /** How a drawing was laid into a view. */
 export type Placed = Said<core.Placed>;
@@ -238,41 +143,36 @@ export interface SettingsTable {
   readonly presets: Readonly<Record<string, SettingValues>>;
 }
 
-/** Each job has rows of its own and presets of its own. */
-export type SettingsTables = Readonly<Record<Job, SettingsTable>>;
+/** Each task, by its name, has rows of its own and presets of its own. */
+export type SettingsTables = Readonly<Record<string, SettingsTable>>;
 
 /** Settings by name, as text; in a request, those that differ from their preset. */
 export type SettingValues = Readonly<Record<string, string>>;
 
 export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "lines.svg" | "wire.json" | "bend.csv";
 
-/** What the page can ask for: arguments and answer by name. */
+export interface ExportArguments {
+  readonly file: Uint8Array<ArrayBuffer>;
+  readonly format: ExportFormat;
+  readonly view: string;
+}
+
+/** What the page can ask for: arguments and answer by name. A task adds its own, in its folder. */
 export interface Calls {
-  settings: { arguments: Record<never, never>; answer: SettingsTables };
+  /** Of these tasks. */
+  settings: { arguments: { tasks: readonly string[] }; answer: SettingsTables };
   /** Where a run with this setting would be computed; refused with a sentence if that cannot be. May take a second or two. */
   place: { arguments: { backend: Backend }; answer: Place };
-  /** What the core sees in a picture, fitted onto the middle of a square sheet and never stretched. */
-  read: { arguments: { picture: Picture; reading: Reading; sidePx: number }; answer: FoundInk };
-  /** What two or three drawings come to before a run. */
-  preview: { arguments: { drawings: readonly Drawing[]; settings: SettingValues }; answer: Preview };
-  /** The object in a picture: the `object`-th of several, the largest is 1. Refused with a sentence if there is none. */
-  find: { arguments: { picture: Picture; object: number }; answer: FoundObject };
-  /** A shape's triangles, and what was mended about it. */
-  surface: { arguments: { solid: Solid }; answer: FoundSurface };
-  /** How the wire would run over it, before anything is fitted: `covering` tells how far that is. */
-  curve: { arguments: { covered: Covered; settings: SettingValues }; answer: WireShape };
-  /** The picture of a style by formula. */
-  pattern: { arguments: { pattern: PatternName; sidePx: number }; answer: Ink };
-  /** Answered when the run has ended by itself or was stopped. `from` is a checkpoint of a run of the same work. */
-  run: { arguments: { work: Work; settings: SettingValues; from: Blob | null }; answer: Finished };
+  /** Answered when the run has ended by itself or was stopped. `work` is as the task's engine takes it, `from` a checkpoint of a run of the same. */
+  run: { arguments: { task: string; work: unknown; settings: SettingValues; from: Blob | null }; answer: Finished };
   /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */
   peek: { arguments: { code: string }; answer: { wire: WireShape; views: readonly View[] } };
   /** A share code, or the bytes of a wire.json with its name. */
   open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
-  /** A wire.json in another format; `view` is the name of the view an SVG draws, without what is behind `covered`. */
-  export: { arguments: { file: Uint8Array<ArrayBuffer>; format: ExportFormat; view: string; covered: Solid | null }; answer: Uint8Array<ArrayBuffer> };
+  /** A wire.json in another format; `view` is the name of the view an SVG draws. */
+  export: { arguments: ExportArguments; answer: Uint8Array<ArrayBuffer> };
 }
 
 export type CallName = keyof Calls;
@@ -286,8 +186,8 @@ export type Control = { control: "pause" | "resume" | "step" | "stop" | "seen" }
 export type News =
   | { news: "progress"; words: string; share: number }
   | { news: "note"; words: string }
-  /** Of `curve`. */
-  | { news: "covering"; share: number }
+  /** Of what is asked before a run, and takes a while. */
+  | { news: "share"; share: number }
   /** When a run starts, and when it changes on the way. */
   | { news: "place"; place: Place }
   | { news: "targets"; targets: readonly Target[] }

@@ -1,10 +1,19 @@
 import { expect, it } from "vitest";
-import { addressed } from "./address";
-import { BLANK, withDesk, type Doc, type Job, type Made } from "../keeping/document";
+import { addressed as written } from "./address";
+import { withDesk, type Doc, type Made } from "../keeping/document";
+import type { Named } from "./fragment";
 
-const doc = (code: string | null, settings = {}, job: Job = "multiview"): Doc => {
+const BLANK: Doc = { task: "multiview", given: {}, desks: {} };
+const TASKS: readonly Named[] = [
+  { name: "multiview" },
+  { name: "stroke" },
+  { name: "fill", address: { keys: ["shape"], write: (shape) => ({ shape: String(shape) }), read: () => null } },
+];
+const addressed = (hash: string, doc: Doc, madeOf: unknown = null): string => written(hash, doc, TASKS, madeOf);
+
+const doc = (code: string | null, settings = {}, task = "multiview"): Doc => {
   const made = code === null ? null : ({ finished: { code } } as Made);
-  return { ...BLANK, job, ...withDesk(BLANK, job, { settings, made }) };
+  return { ...BLANK, task, ...withDesk(BLANK, task, { settings, made }) };
 };
 
 it("carries settings, and a wire only while it is the one on the stage", () => {
@@ -16,15 +25,14 @@ it("carries settings, and a wire only while it is the one on the stage", () => {
   expect(addressed("", doc("CD"))).toBe("");
 });
 
-it("carries the job that is looked at, unless it is the first", () => {
+it("carries the task that is looked at, unless it is the first", () => {
   expect(addressed("", doc(null, {}, "stroke"))).toBe("#v=1&job=stroke");
   expect(addressed("#v=1&job=stroke&w=AB", doc("AB", { seed: "4" }, "stroke"))).toBe("#v=1&job=stroke&w=AB&seed=4");
   // A wire never stands beside a shape that it does not cover.
-  const [vase, knot] = (["vase", "knot"] as const).map((shape) => ({ solid: { shape }, style: null }));
-  const turned = { ...doc("AB", {}, "fill"), cover: knot! };
-  expect(addressed("#v=1&job=fill&shape=vase&w=AB", turned, vase)).toBe("#v=1&job=fill&shape=vase&w=AB");
+  const turned = { ...doc("AB", {}, "fill"), given: { fill: "knot" } };
+  expect(addressed("#v=1&job=fill&shape=vase&w=AB", turned, "vase")).toBe("#v=1&job=fill&shape=vase&w=AB");
   expect(addressed("#v=1&job=fill&shape=vase&w=AB", turned, null)).toBe("#v=1&job=fill&w=AB");
-  expect(addressed("#v=1&job=fill&shape=vase&w=CD", turned, vase)).toBe("#v=1&job=fill&shape=knot");
-  // What the other job has made is not on the stage.
-  expect(addressed("#v=1&w=AB", { ...doc("AB"), job: "stroke" })).toBe("#v=1&job=stroke");
+  expect(addressed("#v=1&job=fill&shape=vase&w=CD", turned, "vase")).toBe("#v=1&job=fill&shape=knot");
+  // What the other task has made is not on the stage.
+  expect(addressed("#v=1&w=AB", { ...doc("AB"), task: "stroke" })).toBe("#v=1&job=stroke");
 });

@@ -1,14 +1,14 @@
-/** The address while a person works: it carries job and settings, and a wire only as long as that is the one on the stage. */
+/** The address while a person works: it carries task and settings, and a wire only as long as that is the one on the stage. */
 
 import { deskOf, type Doc } from "../keeping/document";
-import { wordsOf, type Cover } from "../../tasks/fill/given";
-import { readFragment, writeFragment } from "./fragment";
+import { readFragment, writeFragment, type Named } from "./fragment";
 
-/** The fragment that should stand in the address in place of `hash`; `covered` is what the finished wire covers. */
-export function addressed(hash: string, doc: Doc, covered: Cover | null = null): string {
+/** The fragment that should stand in the address in place of `hash`; `madeOf` is what the finished wire was made of, if known. */
+export function addressed(hash: string, doc: Doc, tasks: readonly Named[], madeOf: unknown = null): string {
   const { made, settings } = deskOf(doc);
-  const { code } = readFragment(hash);
+  const { code } = readFragment(hash, tasks);
   const carried = code !== null && made?.finished.code === code;
-  const cover = carried ? covered : doc.cover;
-  return writeFragment(doc.job, carried ? code : null, settings, cover ? wordsOf(cover) : undefined);
+  const given = carried ? madeOf : doc.given[doc.task];
+  const address = tasks.find(({ name }) => name === doc.task)?.address;
+  return writeFragment(doc.task, carried ? code : null, settings, given ? (address?.write(given) ?? {}) : {}, tasks);
 }

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { openShareCode } from "../../embed/share/code";
 import { fragmentIn } from "./pasted";
 
-const FIELD = new URL("../../../../tests/field/share-link", import.meta.url);
+const FIELD = new URL("../../../../tests/field/share-link/", import.meta.url);
 const read = (name: string): string => readFileSync(new URL(name, FIELD), "utf8");
 const code = /w=([\w-]+)/.exec(read("good.txt"))![1]!;
 const LINK = `https://wire.example/app/#v=1&job=stroke&w=${code}&preset=fast&seed=3`;

@@ -1,6 +1,6 @@
 import { expect, it, vi } from "vitest";
 import { Problem } from "../../engine/client";
-import { asSentence, explain, placement, timeLeft } from "./words";
+import { asSentence, explain, timeLeft } from "./words";
 
 it("makes sentences of what the core says", () => {
   expect(asSentence("front.png: is blank; draw something in it")).toBe("front.png: is blank; draw something in it.");
@@ -19,12 +19,4 @@ it("keeps what was not meant for people to the console", () => {
 it("counts seconds, then minutes", () => {
   expect(timeLeft(59)).toBe("about 59 s left");
   expect(timeLeft(61)).toBe("about 2 min left");
-});
-
-it("says where a drawing went only if it was moved", () => {
-  const target = (name: string, mirrored: boolean, quarterTurns: number): Parameters<typeof placement>[1] => ({
-    view: { name } as Parameters<typeof placement>[1]["view"], mirrored, quarterTurns,
-  });
-  expect(placement("front", target("front", false, 0))).toBe("");
-  expect(placement("front", target("top", true, 2))).toBe("Seen from the top, mirrored, upside down.");
 });

@@ -1,7 +1,6 @@
 /** Sentences for people out of what programs say. */
 
 import { Problem } from "../../engine/client";
-import type { Target } from "../../engine/protocol";
 
 /** The core writes "input: problem; remedy"; a page starts sentences with a capital (but leaves file names alone) and
  * ends them with a full stop. */
@@ -10,14 +9,6 @@ export function asSentence(text: string): string {
   const ended = /[.!?]$/.test(trimmed) ? trimmed : `${trimmed}.`;
   const isFile = /^[^:]*\.\w+:/.test(ended);
   return isFile ? ended : ended.charAt(0).toUpperCase() + ended.slice(1);
-}
-
-/** Where a drawing went, as far as that is not simply where it was put. */
-export function placement(slot: string, target: Pick<Target, "view" | "mirrored" | "quarterTurns">): string {
-  const turned = ["", "turned left", "upside down", "turned right"][target.quarterTurns % 4]!;
-  const seen = target.view.name === slot ? "" : `seen from the ${target.view.name}`;
-  const words = [seen, target.mirrored ? "mirrored" : "", turned].filter(Boolean).join(", ");
-  return words && asSentence(words);
 }
 
 /** What to tell a person about an error; one that was not meant for people also goes to the console. */

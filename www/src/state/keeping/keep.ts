@@ -1,55 +1,66 @@
 /** What survives a reload: the project in the browser's own database, and which tab may write to it. */
 
-import { openDB, type DBSchema, type IDBPDatabase } from "idb";
+import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from "idb";
 import type { Snapshot } from "../../engine/protocol";
-import { EMPTY_DESK, type Doc, type Made } from "./document";
-import type { Sheet, Track } from "./track";
-import type { Cover } from "../../tasks/fill/given";
+import { EMPTY_DESK, type Desk, type Doc } from "./document";
+import type { Track } from "./track";
 
 /** A run under way; what it has come to so far lies in the snapshots. */
 export type KeptRun = Omit<Track, "snapshots">;
 
+/** The document in parts, so that a stroke writes its own sheet and nothing else: `task`, `desk/NAME`, `given/NAME/…`. */
+export type Parts = Readonly<Record<string, unknown>>;
+
+/** How what is given for a task is kept. */
+export interface Form<Given> {
+  /** What changes by itself is a part of its own. Parts that are alike must be the same. */
+  parts(given: Given): Parts;
+  /** What was given, from such parts; from none, nothing. */
+  whole(parts: Parts): Given;
+}
+
+/** How things are kept, by task; and, from how they were kept before, as they are kept now. */
+export interface Forms {
+  readonly byTask: Readonly<Record<string, Form<unknown>>>;
+  before(parts: Parts): Parts;
+  runBefore(run: object): KeptRun;
+}
+
 interface Schema extends DBSchema {
-  /** The document in parts, so that a stroke writes its own sheet and nothing else. */
-  document: { key: keyof Parts; value: Parts[keyof Parts] };
+  document: { key: string; value: unknown };
   run: { key: "now"; value: KeptRun };
   /** Of the run under way, by iteration. */
   snapshots: { key: number; value: Snapshot };
 }
 
-/**
- * `settings`, `made` and `loose` are the first job's: it had them before there was another. A shape may be large, and is
- * not written again with every style.
- */
-type Parts = Doc["papers"] &
-  Pick<Doc, "job" | "subject"> &
-  Doc["desks"]["multiview"] &
-  Omit<Doc["desks"], "multiview"> & { readonly solid: Cover["solid"] | null; readonly style: Cover["style"] };
-
-function partsOf({ papers, job, subject, cover, desks: { multiview, ...desks } }: Doc): Parts {
-  const { solid = null, style = null } = cover ?? {};
-  return { ...papers, job, subject, solid, style, ...multiview, ...desks };
+export function partsOf({ task, given, desks }: Doc, forms: Forms["byTask"]): Parts {
+  const parts: Record<string, unknown> = { task };
+  for (const [name, desk] of Object.entries(desks)) parts[`desk/${name}`] = desk;
+  for (const [name, form] of Object.entries(forms)) {
+    for (const [part, value] of Object.entries(form.parts(given[name]))) parts[`given/${name}/${part}`] = value;
+  }
+  return parts;
 }
 
-function docOf(parts: Partial<Parts>): Doc | null {
-  const { front = null, side = null, top = null, job = "multiview", subject = null, settings, made = null, loose = null } = parts;
-  const { solid = null, style = null, stroke = EMPTY_DESK, fill = EMPTY_DESK } = parts;
-  if (!settings) return null;
-  const desk = { settings, made: madeOf(made), loose: madeOf(loose) };
-  return { job, papers: { front, side, top }, subject, cover: solid && { solid, style }, desks: { multiview: desk, stroke, fill } };
+/** Null where nothing was ever kept. */
+export function docOf(parts: Parts, forms: Forms["byTask"]): Doc | null {
+  const { task } = parts;
+  if (typeof task !== "string" || !(task in forms)) return null;
+  const given: Record<string, unknown> = {};
+  const desks: Record<string, Desk> = {};
+  for (const [name, form] of Object.entries(forms)) {
+    const prefix = `given/${name}/`;
+    const own = Object.entries(parts).filter(([key]) => key.startsWith(prefix));
+    given[name] = form.whole(Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value])));
+    const desk = parts[`desk/${name}`] as Desk | undefined;
+    if (desk) desks[name] = { ...EMPTY_DESK, ...desk };
+  }
+  return { task, given, desks };
 }
-
-/** A run was about drawings before there was anything else for it to be about. */
-type OldTrack = { readonly sheets: readonly Sheet[] };
-
-export function trackOf<T extends Omit<Track, "given">>(kept: T & (Pick<Track, "given"> | OldTrack)): T & Pick<Track, "given"> {
-  return "given" in kept ? kept : { ...kept, given: { job: "multiview", sheets: kept.sheets } };
-}
-
-const madeOf = (made: Made | null): Made | null => made && { ...made, track: made.track && trackOf(made.track) };
 
 const NAME = "wire4d";
-const VERSION = 1;
+/** In the first, tasks had no names of their own in it. */
+const VERSION = 2;
 
 export interface Kept {
   readonly doc: Doc | null;
@@ -60,18 +71,23 @@ export interface Kept {
 export class Keep {
   /** Writes come one after the other. */
   private queue: Promise<unknown> = Promise.resolve();
-  private saved: Partial<Parts> = {};
+  private saved: Parts = {};
 
   private constructor(
     private readonly db: IDBPDatabase<Schema>,
+    private readonly forms: Forms,
     private readonly onTrouble: () => void,
   ) {}
 
   /** Null where the browser keeps nothing. `onTrouble` hears of a write that failed: a full disk, storage cleared away. */
-  static async open(onTrouble: () => void): Promise<Keep | null> {
+  static async open(forms: Forms, onTrouble: () => void): Promise<Keep | null> {
     try {
       const db = await openDB<Schema>(NAME, VERSION, {
-        upgrade(db) {
+        upgrade(db, version, _wanted, transaction) {
+          if (version > 0) {
+            renew(transaction, forms).catch(() => transaction.abort());
+            return;
+          }
           db.createObjectStore("document");
           db.createObjectStore("run");
           db.createObjectStore("snapshots", { keyPath: "iteration" });
@@ -80,7 +96,7 @@ export class Keep {
         blocking: (_current, _wanted, event) => (event.target as IDBDatabase).close(),
         terminated: onTrouble,
       });
-      return new Keep(db, onTrouble);
+      return new Keep(db, forms, onTrouble);
     } catch {
       return null;
     }
@@ -95,13 +111,13 @@ export class Keep {
       db.getAll("snapshots"),
     ]);
     this.saved = Object.fromEntries(names.map((name, i) => [name, values[i]]));
-    return { doc: docOf(this.saved), run: run ? trackOf({ ...run, snapshots }) : null };
+    return { doc: docOf(this.saved, this.forms.byTask), run: run ? { ...run, snapshots } : null };
   }
 
   saveDoc(doc: Doc): Promise<void> {
     return this.write(async (db) => {
-      const parts = partsOf(doc);
-      const changed = (Object.keys(parts) as (keyof Parts)[]).filter((part) => parts[part] !== this.saved[part]);
+      const parts = partsOf(doc, this.forms.byTask);
+      const changed = Object.keys(parts).filter((part) => parts[part] !== this.saved[part]);
       if (changed.length === 0) return;
       const transaction = db.transaction("document", "readwrite");
       await Promise.all([...changed.map((part) => transaction.store.put(parts[part], part)), transaction.done]);
@@ -146,6 +162,16 @@ export class Keep {
     this.queue = done;
     return done;
   }
+}
+
+/** Writes what was kept before as it is kept now. */
+async function renew(transaction: IDBPTransaction<Schema, ("document" | "run" | "snapshots")[], "versionchange">, forms: Forms): Promise<void> {
+  const [document, run] = [transaction.objectStore("document"), transaction.objectStore("run")];
+  const [names, values, kept] = await Promise.all([document.getAllKeys(), document.getAll(), run.get("now")]);
+  const parts = forms.before(Object.fromEntries(names.map((name, i) => [name, values[i]])));
+  await document.clear();
+  await Promise.all(Object.entries(parts).map(([name, part]) => document.put(part, name)));
+  if (kept) await run.put(forms.runBefore(kept), "now");
 }
 
 /**

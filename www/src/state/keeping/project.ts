@@ -1,8 +1,8 @@
 /** The document, its undo, and its keeping: every change of what a person makes goes through here. */
 
-import { BLANK, differingJob, type Doc } from "./document";
+import { differingTask, type Doc } from "./document";
 import { Edits } from "./edits";
-import { Keep, tenancy } from "./keep";
+import { Keep, tenancy, type Forms } from "./keep";
 import type { Snapshot } from "../../engine/protocol";
 import type { Track } from "./track";
 
@@ -15,12 +15,10 @@ export interface ProjectState {
   readonly keeping: "here" | "elsewhere" | "off";
 }
 
-export const NO_PROJECT: ProjectState = { doc: BLANK, undo: null, redo: null, keeping: "here" };
-
 const SAVE_AFTER_MS = 300;
 
 export class Project {
-  private readonly edits = new Edits<Doc>(BLANK);
+  private readonly edits: Edits<Doc>;
   private keeping: ProjectState["keeping"] = "here";
   private keep: Keep | null = null;
   private takeOver: () => void = () => undefined;
@@ -28,7 +26,13 @@ export class Project {
   private touched = false;
   private saving: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly show: (state: ProjectState) => void) {}
+  constructor(
+    first: Doc,
+    private readonly forms: Forms,
+    private readonly show: (state: ProjectState) => void,
+  ) {
+    this.edits = new Edits(first);
+  }
 
   get doc(): Doc {
     return this.edits.present;
@@ -36,7 +40,7 @@ export class Project {
 
   /** Brings back what was kept; the run that came to no end, if there is one. */
   async recall(): Promise<Track | null> {
-    const keep = await Keep.open(() => this.keeps("off"));
+    const keep = await Keep.open(this.forms, () => this.keeps("off"));
     const kept = await keep?.load().catch(() => null);
     if (!keep || !kept) {
       this.keeps("off");
@@ -75,11 +79,11 @@ export class Project {
     this.travel(() => this.edits.redo());
   }
 
-  /** People see what they took back, also where it is of the other job; which job they looked at is no step. */
+  /** People see what they took back, also where it is of another task; which one they looked at is no step. */
   private travel(go: () => Doc): void {
     const before = this.doc;
-    const job = differingJob(before, go()) ?? before.job;
-    this.replace({ job });
+    const task = differingTask(before, go()) ?? before.task;
+    this.replace({ task });
   }
 
   /** This tab keeps the project from now on. */

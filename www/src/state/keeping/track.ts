@@ -1,25 +1,11 @@
 /** What is remembered of a run: its losses, events, and a wire every few iterations. Immutable. */
 
-import type { Frame, Job, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
-import type { Slot } from "./document";
-import type { Paper } from "../../tasks/multiview/drawing/paper";
-import type { Subject } from "../../tasks/stroke/given";
-import { solidName, type Cover } from "../../tasks/fill/given";
-
-/** What a run is about, as it was given. */
-export type Given =
-  /** The drawings by the pads they were in, in the run's order. */
-  | { readonly job: "multiview"; readonly sheets: readonly Sheet[] }
-  | { readonly job: "stroke"; readonly subject: Subject }
-  | { readonly job: "fill"; readonly cover: Cover };
-
-export interface Sheet {
-  readonly slot: Slot;
-  readonly paper: Paper;
-}
+import type { Frame, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
 
 export interface Track {
-  readonly given: Given;
+  /** The task it is of, and what was given for that; only the task knows what it is. */
+  readonly task: string;
+  readonly given: unknown;
   readonly settings: SettingValues;
   /** Loose strokes, to be laid beside the wire on the stage and not to take its place. */
   readonly loose?: boolean;
@@ -30,16 +16,8 @@ export interface Track {
   readonly snapshots: readonly Snapshot[];
 }
 
-export function freshTrack(given: Given, settings: SettingValues): Track {
-  return { given, settings, iterations: 0, losses: [], events: [], snapshots: [] };
-}
-
-export const jobOf = ({ given }: Track): Job => given.job;
-
-/** What people call what a run is about: its drawings, in the run's order, its picture, or its shape. */
-export function labelsOf({ given }: Pick<Track, "given">): readonly string[] {
-  if (given.job === "fill") return [solidName(given.cover.solid)];
-  return given.job === "stroke" ? [given.subject.picture.name] : given.sheets.map(({ paper }) => paper.label);
+export function freshTrack(task: string, given: unknown, settings: SettingValues): Track {
+  return { task, given, settings, iterations: 0, losses: [], events: [], snapshots: [] };
 }
 
 /** More losses than a curve of this many points can show are thinned out. */

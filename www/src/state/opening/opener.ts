@@ -1,217 +1,192 @@
 /** Wires from elsewhere: links, files, and the examples of a first visit. */
 
 import { openShareCode, ShareCodeError } from "../../embed/share/code";
-import type { WireShape } from "../../embed/shape";
 import { Problem } from "../../engine/client";
-import type { Job, ViewMeasures } from "../../engine/protocol";
-import { sheetOf } from "../../engine/sheet";
+import type { ViewMeasures } from "../../engine/protocol";
 import { readFragment } from "../address/fragment";
 import { fragmentIn } from "../address/pasted";
-import { pixelsOf } from "../picture/picture";
-import { untouched, withDesk, type Made } from "../keeping/document";
-import { NOTHING_TO_SEE } from "../run/runner";
-import type { Options } from "../settings/options";
-import { whenIdle, type Bench } from "../contract/state";
-import type { Subject } from "../../tasks/stroke/given";
-import { wordsOf, type Cover, type CoverWords } from "../../tasks/fill/given";
 import { asSentence, DURING_A_RUN, explain, named } from "../common/words";
+import type { Bench } from "../contract/bench";
+import { whenIdle } from "../contract/state";
+import type { Taker, Task } from "../contract/task";
+import { deskOf, withDesk, withGiven, type Made } from "../keeping/document";
+import type { Options } from "../settings/options";
 
 /** Where a wire comes from: an example also tells how well it matches, since the core cannot measure without pictures. */
 type From = { readonly source: "link" } | { readonly source: "example"; readonly measured: readonly ViewMeasures[] };
 
 export class Opener {
-  /** A job whose wire is on the stage and not yet in the document. */
-  private opening: Job | null = null;
+  /** Once what was kept is back. */
+  private recalled: Promise<unknown> = Promise.resolve();
 
   constructor(
     private readonly bench: Bench,
+    private readonly tasks: readonly Task[],
     private readonly options: Options,
-    private readonly page: {
-      /** Once what was kept is back. */
-      recalled(): Promise<unknown>;
-      choose(job: Job): void;
-      wire(wire: WireShape): void;
-      /** What the document has. */
-      show(): void;
-      /** A wire is on its way that is of what is there now. */
-      awaits(): void;
-    },
+    private readonly taker: (task: string) => Taker,
   ) {}
+
+  /** What was kept is on its way: what comes from elsewhere goes over it. */
+  await(recalled: Promise<unknown>): void {
+    this.recalled = recalled;
+  }
 
   /** Whether the stage shows what a link or an example carries, ahead of the document. */
   get ahead(): boolean {
-    return this.opening === this.bench.doc.job;
+    const { ahead, doc } = this.bench.store.get();
+    return ahead?.task === doc.task && ahead.coming;
   }
 
   /** Shows the wire and takes the settings that an address carries; false if it carries no wire. */
   async fragment(hash: string): Promise<boolean> {
-    const { job, code, cover, settings, newer } = readFragment(fragmentIn(hash) ?? hash);
-    this.bench.warn("");
+    const { bench } = this;
+    const { task, code, given, settings, newer } = readFragment(fragmentIn(hash) ?? hash, this.tasks);
+    bench.warn("");
     if (newer) {
-      this.bench.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
+      bench.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
       return false;
     }
-    if (!job) return false;
-    if (code !== null) this.opening = job;
-    this.page.choose(job);
-    this.options.ask(job, settings);
-    if (job === "fill") void this.page.recalled().then(() => this.cover(cover, code));
-    return code !== null && this.code(code, job, { source: "link" });
+    if (!task) return false;
+    if (code !== null) this.go(task);
+    this.choose(task);
+    this.options.ask(task, settings);
+    if (this.task(task).address) void this.recalled.then(() => this.take(task, given, code));
+    return code !== null && this.code(code, task, { source: "link" });
   }
 
-  /** The shape that a link names: a wire without one is not shown over another. */
-  private cover({ shape, style }: CoverWords, code: string | null): void {
+  /** Turns to a task. */
+  choose(task: string): void {
+    const { doc, project, store } = this.bench;
+    if (task === doc.task) return;
+    store.set({ lookingBack: null });
+    project.replace({ task });
+  }
+
+  /** What a link names: a wire without it is not shown over anything else. */
+  private take(name: string, pairs: Readonly<Record<string, string>>, code: string | null): void {
     const { doc, busy, project } = this.bench;
-    const has = doc.cover && wordsOf(doc.cover);
-    if (busy || (code !== null && this.has(code, "fill"))) return;
-    if ((!shape && code === null) || (shape && has?.shape === shape && has.style === style)) return;
-    const cover: Cover | null = shape && { solid: { shape }, style };
-    if (code !== null) this.bench.edit("Open the link", { cover }, "open a link");
-    else project.replace({ cover });
+    const address = this.task(name).address!;
+    const given = address.read(pairs);
+    const before = doc.given[name];
+    if (busy || (code !== null && this.has(code, name))) return;
+    if (given === null ? code === null : alike(address.write(given), address.write(before))) return;
+    const change = withGiven(doc, name, given ?? this.task(name).blank);
+    if (code !== null) this.bench.edit("Open the link", change, "open a link");
+    else project.replace(change);
   }
 
   /** Whether the link is to the very wire that is there: a person comes back to their own, with all that it came from. */
-  private has(code: string, job: Job): boolean {
-    return this.bench.doc.desks[job].made?.finished.code === code;
+  private has(code: string, task: string): boolean {
+    return deskOf(this.bench.doc, task).made?.finished.code === code;
   }
 
   async file(file: File): Promise<void> {
+    const { task } = this.bench.doc;
     try {
       const bytes = new Uint8Array(await file.arrayBuffer());
       const finished = await this.bench.engine.call("open", { file: bytes, name: file.name });
-      this.page.awaits();
-      this.opened({ finished, source: "file", track: null, stopped: false, seconds: 0 }, this.bench.doc.job, `Open ${file.name}`);
+      this.taker(task).awaits?.();
+      this.opened({ finished, source: "file", track: null, stopped: false, seconds: 0 }, this.bench.doc.task, `Open ${file.name}`);
     } catch (error) {
       this.bench.warn(explain(error, named(file.name)));
     }
   }
 
-  /** What a job shows to those who have given it nothing yet. */
-  async example(job: Job): Promise<void> {
+  /** What the task that is looked at shows to those who have given it nothing yet. */
+  async example(): Promise<void> {
+    const { engine, project, store, doc } = this.bench;
+    const task = this.task(doc.task);
+    const { name } = task;
+    if (!this.untouched(name)) return;
     try {
-      await { multiview: () => this.viewsExample(), stroke: () => this.strokeExample(), fill: () => this.fillExample() }[job]();
+      const { code, given, measured } = await task.example(engine);
+      // Unless the person was quicker.
+      if (this.bench.busy || !this.untouched(name)) return;
+      // First, so that nothing is sought for what is about to have a wire.
+      const showing = this.code(code, name, { source: "example", measured });
+      project.amend((doc) => (task.isBlank(doc.given[name]) ? { ...doc, ...withGiven(doc, name, given) } : doc));
+      store.set({ examples: { ...store.get().examples, [name]: given } });
+      this.taker(name).complete?.(given);
+      await showing;
     } catch (error) {
       this.bench.warn(explain(error, "The example"));
     }
   }
 
-  private async viewsExample(): Promise<void> {
-    const { EXAMPLE_VIEWS, exampleCode, examplePapers } = await import("../../tasks/multiview/example");
-    // Aside, as codes are; here where there is no worker.
-    const read = (drawing: Blob) => this.bench.engine.call("sheet", { drawing }).catch(() => sheetOf(drawing));
-    const [code, papers] = await Promise.all([exampleCode(), examplePapers(read)]);
-    if (this.tooLate("multiview")) return;
-    this.bench.project.amend((doc) => (untouched(doc, "multiview") ? { ...doc, papers } : doc));
-    this.asItCame("multiview", papers);
-    await this.code(code, "multiview", { source: "example", measured: EXAMPLE_VIEWS });
+  private task(name: string): Task {
+    return this.tasks.find((task) => task.name === name)!;
   }
 
-  private async strokeExample(): Promise<void> {
-    const { strokeExample } = await import("../../tasks/stroke/example");
-    const { code, subject, measured } = await strokeExample();
-    if (this.tooLate("stroke")) return;
-    this.bench.project.amend((doc) => (untouched(doc, "stroke") ? { ...doc, subject } : doc));
-    this.asItCame("stroke", subject);
-    this.seeking(true);
-    await this.code(code, "stroke", { source: "example", measured });
-    await this.findIn(subject);
+  /** Whether nothing was ever given or made for a task. */
+  private untouched(name: string): boolean {
+    const { doc } = this.bench;
+    return this.task(name).isBlank(doc.given[name]) && deskOf(doc, name).made === null;
   }
 
-  private async fillExample(): Promise<void> {
-    const { FILL_COVER, fillCode } = await import("../../tasks/fill/example");
-    const code = await fillCode();
-    if (this.tooLate("fill")) return;
-    // First, so that no curve is sought for what is about to have a wire.
-    const showing = this.code(code, "fill", { source: "example", measured: [] });
-    this.bench.project.amend((doc) => (untouched(doc, "fill") ? { ...doc, cover: FILL_COVER } : doc));
-    this.asItCame("fill", FILL_COVER);
-    await showing;
+  private go(task: string): void {
+    this.bench.store.set({ ahead: { task, wire: null, views: [], coming: true } });
   }
 
-  /** The object of the example's picture, for showing: it needs the core. */
-  private async findIn(subject: Subject): Promise<void> {
-    const { engine, project } = this.bench;
-    const picture = await pixelsOf(subject.picture);
-    // Where there is no core, that is said elsewhere.
-    const found = await engine.call("find", { picture, object: 1 }).catch(() => null);
-    // Whoever gave another picture meanwhile is waiting for that one.
-    if (this.bench.doc.subject !== subject) return;
-    this.seeking(false);
-    if (!found || this.bench.busy) return;
-    const shown = { ...subject, found };
-    project.amend((doc) => (doc.subject === subject ? { ...doc, subject: shown } : doc));
-    this.asItCame("stroke", shown);
-  }
-
-  /** Whether the object is being looked for, so that nobody hears it was not found. */
-  private seeking(busy: boolean): void {
-    const { store } = this.bench;
-    store.set({ sitting: { ...store.get().sitting, busy } });
-  }
-
-  /** Whether the person was quicker. */
-  private tooLate(job: Job): boolean {
-    return this.bench.busy || !untouched(this.bench.doc, job);
-  }
-
-  private asItCame(job: Job, given: unknown): void {
-    const { store } = this.bench;
-    store.set({ examples: { ...store.get().examples, [job]: given } });
+  private arrive(): void {
+    this.bench.store.set({ ahead: null });
   }
 
   /** Shows the wire at once; the worker measures it when it comes to that. */
-  private async code(code: string, job: Job, from: From): Promise<boolean> {
-    this.opening = job;
+  private async code(code: string, task: string, from: From): Promise<boolean> {
+    this.go(task);
     try {
       // Read aside, to keep nobody waiting; here where there is no worker, or to hear what is wrong.
       const { wire, views } = await this.bench.engine.call("peek", { code }).catch(() => openShareCode(code));
-      if (this.ahead && !this.bench.busy) {
-        this.page.wire(wire);
-        this.bench.store.set({ ...NOTHING_TO_SEE, views });
-      }
+      const { store } = this.bench;
+      if (store.get().ahead?.task === task) store.set({ ahead: { task, wire, views, coming: true } });
     } catch (error) {
-      this.opening = null;
+      this.arrive();
       if (!(error instanceof ShareCodeError)) throw error;
       this.bench.warn(asSentence(error.message));
       return false;
     }
-    void this.adopt(code, job, from);
+    void this.adopt(code, task, from);
     return true;
   }
 
-  private async adopt(code: string, job: Job, from: From): Promise<void> {
+  private async adopt(code: string, task: string, from: From): Promise<void> {
     try {
-      await this.page.recalled();
-      this.page.awaits();
-      const before = this.bench.doc.desks[job].made;
-      const finished = this.has(code, job) ? null : await this.bench.engine.call("open", { code });
+      await this.recalled;
+      this.taker(task).awaits?.();
+      const before = deskOf(this.bench.doc, task).made;
+      const finished = this.has(code, task) ? null : await this.bench.engine.call("open", { code });
       await whenIdle(this.bench.store);
-      this.opening = null;
-      // A wire that was made meanwhile is newer.
-      if (!finished || this.bench.doc.desks[job].made !== before) {
-        this.page.show();
-        return;
-      }
-      const measures = from.source === "example" ? { ...finished.measures, views: from.measured } : finished.measures;
-      // The code as it came: the same link again.
-      const made: Made = { finished: { ...finished, code, measures }, source: from.source, track: null, stopped: false, seconds: 0 };
-      this.opened(made, job, "Open the link");
+      this.bench.store.batch(() => {
+        this.arrive();
+        // A wire that was made meanwhile is newer.
+        if (!finished || deskOf(this.bench.doc, task).made !== before) return;
+        const measures = from.source === "example" ? { ...finished.measures, views: from.measured } : finished.measures;
+        // The code as it came: the same link again.
+        const made: Made = { finished: { ...finished, code, measures }, source: from.source, track: null, stopped: false, seconds: 0 };
+        this.opened(made, task, "Open the link");
+      });
     } catch (error) {
-      // It is on the stage all the same.
-      this.opening = null;
+      // It is on the stage all the same, until there is another.
+      const { store } = this.bench;
+      const { ahead } = store.get();
+      if (ahead?.task === task) store.set({ ahead: { ...ahead, coming: false } });
       if (!(error instanceof Problem)) console.error(error);
     }
   }
 
-  private opened(made: Made, job: Job, label: string): void {
+  private opened(made: Made, task: string, label: string): void {
     const { busy, doc, project } = this.bench;
     if (busy) {
       this.bench.warn(DURING_A_RUN);
       return;
     }
-    // With the shape of the link, if it names one, as one step.
-    const kind = job === "fill" && made.source === "link" ? "open a link" : "";
-    if (made.source !== "example") this.bench.edit(label, withDesk(doc, job, { made, loose: null }), kind);
-    else project.amend((doc) => (doc.desks[job].made ? doc : { ...doc, ...withDesk(doc, job, { made }) }));
+    // With what the link names, if it names anything, as one step.
+    const kind = this.task(task).address && made.source === "link" ? "open a link" : "";
+    if (made.source !== "example") this.bench.edit(label, withDesk(doc, task, { made, loose: null }), kind);
+    else project.amend((doc) => (deskOf(doc, task).made ? doc : { ...doc, ...withDesk(doc, task, { made }) }));
   }
+}
+
+function alike(a: Readonly<Record<string, string>>, b: Readonly<Record<string, string>>): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
 }

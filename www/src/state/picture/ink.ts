@@ -1,12 +1,24 @@
 /**
- * What a sheet's layers come down to: ink laid onto a square, in plain arithmetic, the same in every browser.
+ * What drawings and masks come down to: ink laid onto a sheet, in plain arithmetic, the same in every browser.
  *
  * Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down; ink is 0 (ground) to 255.
  */
 
-import type { Lay, StrokeLayer } from "../../tasks/multiview/drawing/paper";
-
 type Sheet = Uint8Array<ArrayBuffer>;
+
+/** Mirrored left to right first, then turned counter-clockwise by quarters. */
+export interface Lay {
+  readonly mirrored: boolean;
+  readonly quarterTurns: number;
+}
+
+/** A line of a round pen, or of an eraser. */
+export interface PenLine {
+  readonly erase: boolean;
+  readonly widthPx: number;
+  /** x, y, x, y, … in px of the sheet. */
+  readonly points: Float32Array<ArrayBuffer>;
+}
 
 /** More ink wins: drawings never darken where they cross. */
 export function over(sheet: Sheet, ink: Sheet): void {
@@ -14,7 +26,7 @@ export function over(sheet: Sheet, ink: Sheet): void {
 }
 
 /** A round pen along a polyline. A pixel is covered by how far the pen's rim lies beyond its centre, up to one pixel. */
-export function stroke(sheet: Sheet, width: number, { points, widthPx, erase }: Pick<StrokeLayer, "points" | "widthPx" | "erase">): void {
+export function stroke(sheet: Sheet, width: number, { points, widthPx, erase }: PenLine): void {
   const count = points.length / 2;
   for (let i = 0; i < count; i++) {
     const next = Math.min(i + 1, count - 1);

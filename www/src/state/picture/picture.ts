@@ -2,7 +2,6 @@
 
 import { Problem } from "../../engine/client";
 import type { Picture, Pixels } from "../../engine/protocol";
-import type { KeptPicture } from "../../tasks/multiview/drawing/paper";
 import { pictureSize } from "./picture-size";
 
 /** The longer side after reading; the fit itself works at 256. */
@@ -11,6 +10,16 @@ export const MAX_SIDE_PX = 1024;
 const MAX_WHOLE_PX = 50_000_000;
 const MAX_DECODED_PX = 220_000_000;
 const MAX_FILE_BYTES = 60_000_000;
+
+/** A picture to look at once more. */
+export interface KeptPicture {
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  /** RGBA, as a blob: keeping it costs next to nothing. */
+  readonly rgba: Blob;
+  readonly measured?: boolean;
+}
 
 export interface ReadPicture extends Pixels {
   /** What was done to it, in words, or empty. */

@@ -1,9 +1,12 @@
 import { beforeEach, expect, it, vi } from "vitest";
-import { HiddenTab, type WhenHidden } from "./hidden-tab";
-import { READY, Runner, type RunState } from "./runner";
+import { NO_RUN, type RunState, type WhenHidden } from "../contract/state";
+import type { Task } from "../contract/task";
 import { freshTrack, type Track } from "../keeping/track";
+import { HiddenTab } from "./hidden-tab";
+import { Runner } from "./runner";
 
-const fresh: Track = freshTrack({ job: "multiview", sheets: [] }, {});
+const fresh: Track = freshTrack("knit", null, {});
+const task = { words: { looking: "" }, work: async () => null } as unknown as Task;
 
 let state: RunState;
 let controls: string[];
@@ -13,7 +16,7 @@ let finish: () => void;
 let show: (hidden: boolean) => void;
 
 beforeEach(() => {
-  state = { phase: "idle", progress: READY, track: null, looking: null, views: [], targets: [], notes: [] };
+  state = NO_RUN;
   controls = [];
   choice = "pause";
   const page = { hidden: false, addEventListener: (_: string, listener: () => void) => void (changed = listener) };
@@ -23,7 +26,7 @@ beforeEach(() => {
     changed();
   };
   const engine = {
-    call: () => new Promise((resolve) => (finish = () => resolve({}))),
+    callEndable: () => new Promise((resolve) => (finish = () => resolve({}))),
     control: (control: string) => void controls.push(control),
     cancel: () => undefined,
   };
@@ -42,7 +45,7 @@ beforeEach(() => {
 });
 
 const begin = (): void => {
-  void runner.run(fresh, Promise.resolve("auto"));
+  void runner.run(task, fresh, Promise.resolve("auto")).finally(() => runner.rest());
   runner.hear({ news: "targets", targets: [] });
 };
 
@@ -73,7 +76,7 @@ it("leaves a run alone that the person paused", () => {
 });
 
 it("rests also when the run begins in a hidden tab", () => {
-  void runner.run(fresh, Promise.resolve("auto"));
+  void runner.run(task, fresh, Promise.resolve("auto")).finally(() => runner.rest());
   show(true);
   expect(controls).toEqual([]);
   runner.hear({ news: "targets", targets: [] });

@@ -1,9 +1,6 @@
 /** A run while its tab is hidden: it keeps going, or rests until the tab is back, as the person chose. */
 
-import type { Phase } from "./runner";
-
-export const WHEN_HIDDEN = ["go", "pause"] as const;
-export type WhenHidden = (typeof WHEN_HIDDEN)[number];
+import type { Phase, WhenHidden } from "../contract/state";
 
 export class HiddenTab {
   /** It was the tab that paused the run, not the person: only then the run goes on by itself. */

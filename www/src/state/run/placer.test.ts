@@ -1,7 +1,8 @@
 import { beforeEach, expect, it } from "vitest";
 import { Problem } from "../../engine/client";
 import type { Backend, Place } from "../../engine/protocol";
-import { Placer, type Whereabouts } from "./placer";
+import type { Whereabouts } from "../contract/state";
+import { Placer } from "./placer";
 
 const CPU: Place = { backend: "cpu", device: "processor", why: "The processor does the work." };
 const GPU: Place = { backend: "gpu", device: "Card", why: "The graphics card does the work." };

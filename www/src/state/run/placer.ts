@@ -2,18 +2,7 @@
 
 import type { Backend, Place } from "../../engine/protocol";
 import { asSentence, explain } from "../common/words";
-
-export interface Whereabouts {
-  readonly asked: Backend;
-  /** Whether it is the address that asks, and not the setting. */
-  readonly byAddress: boolean;
-  /** Of the run under way, or of the next one. Null until the core has said. */
-  readonly place: Place | null;
-  /** Why the graphics card that was asked for is not to be had; runs then take the processor. Empty if it is. */
-  readonly refusal: string;
-}
-
-export const ANYWHERE: Whereabouts = { asked: "auto", byAddress: false, place: null, refusal: "" };
+import { ANYWHERE, type Whereabouts } from "../contract/state";
 
 export class Placer {
   private where = ANYWHERE;

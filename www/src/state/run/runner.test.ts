@@ -1,15 +1,16 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Finished, Frame, News, SettingValues, Snapshot, Work } from "../../engine/protocol";
-import { READY, Runner, type RunState } from "./runner";
-import type { Subject } from "../../tasks/stroke/given";
+import type { Finished, Frame, News, SettingValues, Snapshot } from "../../engine/protocol";
+import { NO_RUN, type RunState } from "../contract/state";
+import type { Task } from "../contract/task";
+import { Runner } from "./runner";
 import { freshTrack, upTo, type Track } from "../keeping/track";
 
 const wire = (x: number): WireShape => ({ closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], controlPoints: Array<number>(16).fill(x) });
 const snapshot = (iteration: number): Snapshot => ({ iteration, iterations: 100, loss: 1 / iteration, wire: wire(-iteration), checkpoint: new Blob([String(iteration)]) });
 const frame = (iteration: number): Frame => ({ wire: wire(iteration), iteration, iterations: 100, loss: 1 / iteration, iterationsPerSecond: 20 });
-const fresh: Track = freshTrack({ job: "multiview", sheets: [] }, {});
+const fresh: Track = freshTrack("knit", "wool", {});
 
 let state: RunState;
 let controls: string[];
@@ -19,17 +20,21 @@ let end: { finish(finished: Finished): void; fail(error: Error): void };
 let runner: Runner;
 let where: string;
 let settings: SettingValues;
-let work: Work;
+let work: unknown;
+const task: Pick<Task, "words" | "work"> = {
+  words: { given: "", looking: "Looking at the wool", needs: "", remedy: "", text: "" },
+  work: async (given) => ({ given }),
+};
 
 beforeEach(() => {
   vi.stubGlobal("document", { hidden: true });
   vi.useFakeTimers({ toFake: ["performance"] });
-  state = { phase: "idle", progress: READY, track: null, looking: null, views: [], targets: [], notes: [] };
+  state = NO_RUN;
   controls = [];
   where = "";
   shown = NaN;
   const engine = {
-    call: (_call: string, given: { work: Work; from: Uint8Array | null; settings: SettingValues }) => {
+    callEndable: (_call: string, given: { work: unknown; from: Uint8Array | null; settings: SettingValues }) => {
       ({ work, from, settings } = given);
       return new Promise((finish, fail) => (end = { finish, fail }));
     },
@@ -49,7 +54,7 @@ afterEach(() => vi.useRealTimers());
 
 const hear = (...news: News[]): void => news.forEach((one) => runner.hear(one));
 const begun = (track = fresh): Promise<Finished | null> => {
-  const run = runner.run(track, Promise.resolve("auto"));
+  const run = runner.run(task, track, Promise.resolve("auto")).finally(() => runner.rest());
   hear({ news: "targets", targets: [] });
   return run;
 };
@@ -57,7 +62,7 @@ const begun = (track = fresh): Promise<Finished | null> => {
 /** Once the engine has been asked. */
 const asked = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-it("follows a run from the drawings to the wire", async () => {
+it("follows a run from what is given to the wire", async () => {
   const run = begun({ ...fresh, settings: { seed: "3" } });
   expect(state.phase).toBe("running");
   hear({ news: "frame", frame: frame(10) }, { news: "snapshot", snapshot: snapshot(10) }, { news: "event", event: { iteration: 10, kind: "refine", count: 3 } });
@@ -70,7 +75,7 @@ it("follows a run from the drawings to the wire", async () => {
   expect(state.track).toMatchObject({ iterations: 100, losses: [[10, 0.1], [15, 1 / 15], [20, 0.05]], events: [{ kind: "refine" }], snapshots: [{ iteration: 10 }] });
   expect(controls).toEqual(["seen", "seen", "seen"]);
   await asked();
-  expect(settings).toEqual({ seed: "3", backend: "auto" });
+  expect([work, settings]).toEqual([{ given: "wool" }, { seed: "3", backend: "auto" }]);
   const finished = {} as Finished;
   end.finish(finished);
   expect(await run).toBe(finished);
@@ -107,7 +112,7 @@ it("comes to nothing when it is called off, and says what went wrong otherwise",
   await asked();
   runner.cancel();
   expect(await called).toBeNull();
-  const failed = runner.run(fresh, Promise.resolve("cpu"));
+  const failed = runner.run(task, fresh, Promise.resolve("cpu")).finally(() => runner.rest());
   await asked();
   runner.stop();
   expect(await failed).toBeNull();
@@ -123,11 +128,11 @@ it("comes to nothing when it is called off, and says what went wrong otherwise",
 
 it("ends at once while it is still unknown where it can be computed, and the engine never hears of it", async () => {
   end = undefined as never;
-  const run = runner.run(fresh, new Promise(() => undefined));
+  const run = runner.run(task, fresh, new Promise(() => undefined)).finally(() => runner.rest());
   runner.stop();
   expect(await run).toBeNull();
   expect([state.phase, end]).toEqual(["idle", undefined]);
-  const soon = runner.run(fresh, Promise.resolve("gpu"));
+  const soon = runner.run(task, fresh, Promise.resolve("gpu"));
   runner.stop();
   expect([await soon, end]).toEqual([null, undefined]);
 });
@@ -148,20 +153,4 @@ it("stops with the best so far, once", () => {
   runner.step();
   expect(controls).toEqual(["step", "stop"]);
   expect(state.phase).toBe("finishing");
-});
-
-it("gives the engine one picture with its object, and none where the app is to find it", async () => {
-  const rgba = new Uint8ClampedArray(16).fill(7);
-  const picture = { name: "cat.png", width: 2, height: 2, rgba: new Blob([rgba]) };
-  const found = { width: 1, height: 2, mask: Uint8Array.of(0, 255), labels: Uint8Array.of(0, 1), count: 1, notes: [] };
-  const subject: Subject = { picture, object: 1, strokes: [], found, depth: null };
-  work = undefined as never;
-  void runner.run(freshTrack({ job: "stroke", subject }, {}), Promise.resolve("cpu"));
-  await vi.waitFor(() => expect(work).toBeDefined());
-  expect(work).toEqual({ job: "stroke", subject: { picture: { name: "cat.png", width: 2, height: 2, rgba }, mask: { width: 1, height: 2, ink: found.mask }, depth: null } });
-  runner.cancel();
-  work = undefined as never;
-  void runner.run(freshTrack({ job: "stroke", subject: { ...subject, found: null, depth: picture } }, {}), Promise.resolve("cpu"));
-  await vi.waitFor(() => expect(work).toBeDefined());
-  expect(work).toMatchObject({ subject: { mask: null, depth: { name: "cat.png", rgba } } });
 });

@@ -2,47 +2,11 @@
 
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { Backend, Drawing, Finished, Frame, Job, News, Place, Snapshot, Target, View, Work } from "../../engine/protocol";
-import { drawingOf } from "../../tasks/multiview/drawing/paper";
-import { pixelsOf } from "../picture/picture";
-import { nextTask } from "../common/next-turn";
-import { maskOf } from "../../tasks/stroke/given";
-import { coveredOf } from "../../tasks/fill/given";
-import { withEvent, withFrame, withSnapshot, type Given, type Track } from "../keeping/track";
+import type { Backend, Finished, Frame, News, Place, Snapshot } from "../../engine/protocol";
 import { asSentence } from "../common/words";
-
-export type Phase = "idle" | "preparing" | "running" | "paused" | "finishing";
-
-export interface Progress {
-  readonly words: string;
-  /** 0 to 1. */
-  readonly share: number;
-  readonly secondsLeft: number | null;
-  readonly iteration: number;
-  readonly iterations: number;
-  readonly iterationsPerSecond: number;
-}
-
-export const READY: Progress = { words: "", share: 0, secondsLeft: null, iteration: 0, iterations: 0, iterationsPerSecond: 0 };
-
-/** What there is to see of a run, or of a wire that was made. */
-export interface Scene {
-  /** The run under way, or the one that the wire on the stage came from. */
-  readonly track: Track | null;
-  /** The snapshot that is looked at, by its index; null is the newest wire. */
-  readonly looking: number | null;
-  readonly views: readonly View[];
-  readonly targets: readonly Target[];
-  /** What a person should know about the drawings of this run. */
-  readonly notes: readonly string[];
-}
-
-export interface RunState extends Scene {
-  readonly phase: Phase;
-  readonly progress: Progress;
-}
-
-export const NOTHING_TO_SEE: Scene = { track: null, looking: null, views: [], targets: [], notes: [] };
+import { READY, type RunState } from "../contract/state";
+import type { Task } from "../contract/task";
+import { withEvent, withFrame, withSnapshot, type Track } from "../keeping/track";
 
 export interface RunHooks {
   get(): RunState;
@@ -52,12 +16,6 @@ export interface RunHooks {
   snapshot(snapshot: Snapshot): void;
   place(place: Place): void;
 }
-
-const LOOKING: Readonly<Record<Job, string>> = {
-  multiview: "Looking at the drawings",
-  stroke: "Looking at the picture",
-  fill: "Looking at the shape",
-};
 
 /** Numbers that change more often than this cannot be read, and cost a slow page its breath. */
 const NUMBERS_MS = 100;
@@ -71,17 +29,18 @@ export class Runner {
   private callOff: () => void = () => undefined;
 
   constructor(
-    private readonly engine: Pick<EngineClient, "call" | "control" | "cancel">,
+    private readonly engine: Pick<EngineClient, "callEndable" | "control" | "cancel">,
     private readonly hooks: RunHooks,
   ) {}
 
   /**
    * Runs the track's work from its last snapshot on, or from the start, where `backend` says. Null if it was called off.
+   * The state stays that of a run until `rest`.
    * @throws what the engine says; the track so far stays in the state.
    */
-  async run(track: Track, backend: Promise<Backend>): Promise<Finished | null> {
+  async run(task: Pick<Task, "words" | "work">, track: Track, backend: Promise<Backend>): Promise<Finished | null> {
     const from = track.snapshots.at(-1)?.checkpoint ?? null;
-    const words = from ? "Picking up the wire" : LOOKING[track.given.job];
+    const words = from ? "Picking up the wire" : task.words.looking;
     this.newest = null;
     this.untold = [];
     let off = false;
@@ -93,16 +52,19 @@ export class Runner {
     });
     this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
     try {
-      const work = await workOf(track.given);
+      const work = await task.work(track.given);
       const decided = await Promise.race([calledOff, backend]);
       if (off || !decided) return null;
-      return await this.engine.call("run", { work, settings: { ...track.settings, backend: decided }, from });
+      return await this.engine.callEndable("run", { task: track.task, work, settings: { ...track.settings, backend: decided }, from });
     } catch (error) {
       if (error instanceof Cancelled) return null;
       throw error;
-    } finally {
-      this.hooks.set({ phase: "idle", progress: READY });
     }
+  }
+
+  /** What came of the run has been seen to: there is none any more. */
+  rest(): void {
+    this.hooks.set({ phase: "idle", progress: READY });
   }
 
   /** Pauses, or goes on. */
@@ -209,22 +171,6 @@ export class Runner {
       },
     });
   }
-}
-
-/** What was given, as the engine wants it, a task for each part of it. */
-async function workOf(given: Given): Promise<Work> {
-  if (given.job === "stroke") {
-    const { picture, depth } = given.subject;
-    const mask = maskOf(given.subject);
-    return { job: "stroke", subject: { picture: await pixelsOf(picture), mask, depth: depth && (await pixelsOf(depth)) } };
-  }
-  if (given.job === "fill") return { job: "fill", covered: await coveredOf(given.cover) };
-  const drawings: Drawing[] = [];
-  for (const { slot, paper } of given.sheets) {
-    await nextTask();
-    drawings.push(drawingOf(paper, slot));
-  }
-  return { job: "multiview", drawings };
 }
 
 /** Where drawing takes long, as long again is left for everything else. */

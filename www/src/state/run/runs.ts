@@ -1,68 +1,64 @@
-/** Runs from their beginning to the wire they come to, and what of them is on the page meanwhile. */
+/** Runs from their beginning to the wire they come to. */
 
 import type { WireShape } from "../../embed/shape";
-import type { Backend, Finished, Job, News } from "../../engine/protocol";
-import { deskOf, SLOTS, withDesk, type Doc, type Made } from "../keeping/document";
-import { whenIdle, type Bench } from "../contract/state";
+import type { Backend, Finished } from "../../engine/protocol";
 import { explain } from "../common/words";
+import type { Bench } from "../contract/bench";
+import { whenIdle } from "../contract/state";
+import type { Task } from "../contract/task";
+import { deskOf, withDesk, withGiven, type Made } from "../keeping/document";
+import { freshTrack, upTo, type Track } from "../keeping/track";
 import type { Placer } from "./placer";
-import { sheetsOf } from "../../tasks/multiview/previewer";
-import { NOTHING_TO_SEE, READY, Runner, type RunState, type Scene } from "./runner";
-import { freshTrack, jobOf, upTo, type Given, type Track } from "../keeping/track";
+import { Runner } from "./runner";
 
 export class Runs {
-  /** Of the run under way, whichever job is looked at. */
-  private state: RunState = { ...NOTHING_TO_SEE, phase: "idle", progress: READY };
-  private wire: WireShape | null = null;
   private readonly runner: Runner;
   /** The run behind `unfinished`. */
   private cutOff: Track | null = null;
 
   constructor(
     private readonly bench: Bench,
+    private readonly tasks: readonly Task[],
     private readonly placer: Placer,
-    private readonly backend: () => Backend,
-    /** A wire for the stage. */
-    private readonly showWire: (wire: WireShape | null) => void,
-    /** What stands for the finished wire while nothing runs. */
-    private readonly standIn: (made: WireShape | null) => WireShape | null = (made) => made,
+    /** The run's wire, whichever task is looked at; null before there is one. It changes too often for the store. */
+    private readonly form: (wire: WireShape | null) => void,
   ) {
-    this.runner = new Runner(bench.engine, {
-      get: () => this.state,
-      set: (change) => this.set(change),
-      wire: (wire) => {
-        this.wire = wire;
-        if (this.here) this.showWire(wire);
-      },
-      snapshot: (snapshot) => this.bench.project.addSnapshot(snapshot),
+    const { engine, store, project } = bench;
+    this.runner = new Runner(engine, {
+      get: () => store.get().run,
+      set: (change) => store.set({ run: { ...store.get().run, ...change } }),
+      wire: form,
+      snapshot: (snapshot) => project.addSnapshot(snapshot),
       place: (place) => this.placer.hear(place),
     });
-  }
-
-  hear(news: News): void {
-    this.runner.hear(news);
+    engine.listen((news) => this.runner.hear(news));
   }
 
   async run(): Promise<void> {
-    if (this.bench.busy) return;
-    const given = this.given();
-    if (given) await this.fit(freshTrack(given, deskOf(this.bench.doc).settings));
+    const { bench } = this;
+    const { doc, busy } = bench;
+    if (busy) return;
+    const task = this.task(doc.task);
+    const given = doc.given[task.name];
+    if (task.suffices(given, true)) await this.fit(freshTrack(task.name, given, deskOf(doc).settings));
+    else bench.warn(`${task.words.needs} ${task.words.remedy}`);
   }
 
   /** The wire on the stage once more with loose strokes, to be laid beside it; the wire first, where there is none of a run. */
   async compare(): Promise<void> {
     if (this.bench.busy) return;
-    const { job } = this.bench.doc;
-    const made = (): Made | null => this.bench.doc.desks[job].made;
+    const { task } = this.bench.doc;
+    const made = (): Made | null => deskOf(this.bench.doc, task).made;
     const known = made()?.source === "run";
     if (!known) await this.run();
     const track = made()?.track;
     // One that was stopped on the way was not to be compared after all.
     const given = track && (known || !made()!.stopped);
-    if (!given || this.bench.busy || this.bench.doc.job !== job) return;
-    await this.fit({ ...freshTrack(track.given, { ...track.settings, form: "bag" }), loose: true });
+    if (!given || this.bench.busy || this.bench.doc.task !== task) return;
+    await this.fit({ ...freshTrack(task, track.given, { ...track.settings, form: "bag" }), loose: true });
   }
 
+  /** Pauses, or goes on. */
   pause(): void {
     this.runner.pause();
   }
@@ -80,24 +76,26 @@ export class Runs {
     this.runner.cancel();
   }
 
+  /** Shows an earlier wire of the run that is looked at; null is the newest. */
   lookAt(index: number | null): void {
-    if (this.here) {
+    const { store, doc } = this.bench;
+    if (store.get().running === doc.task) {
       this.runner.lookAt(index);
       return;
     }
-    const { store, doc } = this.bench;
-    const snapshot = index === null ? null : store.get().track?.snapshots[index];
-    store.set({ looking: snapshot ? index : null });
-    this.showWire(snapshot?.wire ?? this.standIn(deskOf(doc).made?.finished.wire ?? null));
+    const { made } = deskOf(doc);
+    const known = index !== null && made?.track?.snapshots[index];
+    store.set({ lookingBack: known ? { made, index } : null });
   }
 
   /** Goes on from a snapshot, with the settings as they are now; what came after it is dropped. */
   async continueFrom(index: number): Promise<void> {
-    const { track } = this.bench.store.get();
+    const { store, doc, busy } = this.bench;
+    const { track, running } = store.get();
     const snapshot = track?.snapshots[index];
-    if (!track || !snapshot || (this.bench.busy && !this.here)) return;
+    if (!track || !snapshot || (busy && running !== doc.task)) return;
     this.runner.cancel();
-    await whenIdle(this.bench.store);
+    await whenIdle(store);
     // Unless somebody was quicker.
     if (!this.bench.busy) await this.resume(upTo(track, snapshot));
   }
@@ -106,10 +104,11 @@ export class Runs {
     if (this.cutOff && !this.bench.busy) await this.resume(this.cutOff);
   }
 
+  /** A run that was cut off may go on; null where there is none. */
   offer(track: Track | null): void {
     this.cutOff = track;
     const { iteration = 0, iterations = 0 } = track?.snapshots.at(-1) ?? {};
-    this.bench.store.set({ unfinished: track && { job: jobOf(track), iteration, iterations } });
+    this.bench.store.set({ unfinished: track && { task: track.task, iteration, iterations } });
   }
 
   dropUnfinished(): void {
@@ -117,81 +116,41 @@ export class Runs {
     this.bench.project.endRun();
   }
 
-  /** Puts on the page what the job that is looked at has to show: its run, or its wire. */
-  show(): void {
-    const { store, doc } = this.bench;
-    if (this.here) {
-      store.set(sceneOf(this.state));
-      this.showWire(this.wire);
-      return;
-    }
-    const { made } = deskOf(doc);
-    const { views = [], targets = [], wire = null } = made?.finished ?? {};
-    store.set({ ...NOTHING_TO_SEE, views, targets, track: made?.track ?? null });
-    this.showWire(this.standIn(wire));
-  }
-
-  private get running(): Job | null {
-    return this.state.phase === "idle" || !this.state.track ? null : jobOf(this.state.track);
-  }
-
-  /** Whether the run under way is of the job that is looked at. */
-  private get here(): boolean {
-    return this.running === this.bench.doc.job;
-  }
-
-  private set(change: Partial<RunState>): void {
-    this.state = { ...this.state, ...change };
-    const { phase, progress, track } = this.state;
-    const comparing = phase !== "idle" && track?.loose === true;
-    this.bench.store.set({ phase, progress, running: this.running, comparing, ...(this.here ? sceneOf(this.state) : {}) });
-  }
-
-  private given(): Given | null {
-    const { doc } = this.bench;
-    if (doc.job === "stroke") {
-      if (doc.subject) return { job: "stroke", subject: doc.subject };
-      this.bench.warn("A wire needs a picture. Give one on the left, then press Run.");
-      return null;
-    }
-    if (doc.job === "fill") {
-      if (doc.cover) return { job: "fill", cover: doc.cover };
-      this.bench.warn("A wire needs a shape to cover. Choose one on the left, then press Cover it.");
-      return null;
-    }
-    const sheets = sheetsOf(doc);
-    if (sheets.length >= 2) return { job: "multiview", sheets };
-    this.bench.warn("A wire needs at least two drawings. Put one into another pad, then press Run.");
-    return null;
+  private task(name: string): Task {
+    return this.tasks.find((task) => task.name === name)!;
   }
 
   private async resume(track: Track): Promise<void> {
-    const { doc, project } = this.bench;
-    const job = jobOf(track);
-    if (doc.job !== job) project.replace({ job });
-    const change = givenAgain(track.given, doc);
-    if (change) this.bench.edit(`Bring back the ${GIVEN[job]} of the run`, change);
+    const { bench } = this;
+    const { task, given } = track;
+    if (bench.doc.task !== task) bench.project.replace({ task });
+    if (bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
     // What it is compared with decides about loose strokes.
-    await this.fit(track.loose ? track : { ...track, settings: doc.desks[job].settings });
+    await this.fit(track.loose ? track : { ...track, settings: deskOf(bench.doc, task).settings });
   }
 
   private async fit(track: Track): Promise<void> {
-    const { project, store } = this.bench;
+    const { project, store, settings } = this.bench;
     this.offer(null);
     store.set({ problem: "", notices: [], said: "" });
     project.beginRun(track);
-    this.wire = null;
+    this.form(track.snapshots.at(-1)?.wire ?? null);
     const startMs = performance.now();
     let failed = false;
     try {
-      const finished = await this.runner.run(track, this.placer.begin(this.backend()));
-      if (finished) this.finish(finished, (performance.now() - startMs) / 1000);
-      else this.show();
+      const backend = this.placer.begin((settings.value("backend") || "auto") as Backend);
+      const finished = await this.runner.run(this.task(track.task), track, backend);
+      // In one: nobody is to see the wire before in between.
+      store.batch(() => {
+        this.runner.rest();
+        if (!store.get().ahead?.coming) store.set({ ahead: null });
+        if (finished) this.finish(finished, (performance.now() - startMs) / 1000);
+      });
     } catch (error) {
       failed = true;
+      this.runner.rest();
       this.bench.warn(explain(error, "The run"));
-      const went = this.state.track;
-      this.show();
+      const went = store.get().run.track;
       if (went && went.snapshots.length > 0) return this.offer(went);
     } finally {
       this.placer.end(failed);
@@ -200,27 +159,12 @@ export class Runs {
   }
 
   private finish(finished: Finished, seconds: number): void {
-    const { track } = this.state;
+    const { track } = this.bench.store.get().run;
     if (!track) return;
     const stopped = !track.events.some(({ kind }) => kind === "done");
     const made: Made = { finished, source: "run", track, stopped, seconds };
     const { doc } = this.bench;
-    if (track.loose) this.bench.edit("Compare with loose strokes", withDesk(doc, jobOf(track), { loose: made }));
-    else this.bench.edit("Make the wire", withDesk(doc, jobOf(track), { made, loose: null }));
-    this.show();
+    if (track.loose) this.bench.edit("Compare with loose strokes", withDesk(doc, track.task, { loose: made }));
+    else this.bench.edit("Make the wire", withDesk(doc, track.task, { made, loose: null }));
   }
-}
-
-const GIVEN: Readonly<Record<Job, string>> = { multiview: "drawings", stroke: "picture", fill: "shape" };
-
-function sceneOf({ track, looking, views, targets, notes }: RunState): Scene {
-  return { track, looking, views, targets, notes };
-}
-
-/** The change that brings back what a run was given, if that is not what is there. */
-function givenAgain(given: Given, doc: Doc): Partial<Doc> | null {
-  if (given.job === "stroke") return given.subject === doc.subject ? null : { subject: given.subject };
-  if (given.job === "fill") return given.cover === doc.cover ? null : { cover: given.cover };
-  const papers = Object.fromEntries(SLOTS.map((slot) => [slot, given.sheets.find((sheet) => sheet.slot === slot)?.paper ?? null]));
-  return SLOTS.every((slot) => papers[slot] === doc.papers[slot]) ? null : { papers: papers as Doc["papers"] };
 }

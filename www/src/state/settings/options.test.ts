@@ -1,8 +1,9 @@
 import { beforeEach, expect, it } from "vitest";
 import type { SettingRow, SettingsTable, SettingsTables } from "../../engine/protocol";
-import { BLANK, type Doc, type Job } from "../keeping/document";
+import type { Doc } from "../keeping/document";
 import { Store } from "../common/store";
-import type { Bench, StudioState } from "../contract/state";
+import type { Bench } from "../contract/bench";
+import type { StudioState } from "../contract/state";
 import { Options } from "./options";
 
 const row = (name: string, group: SettingRow["group"], more: Partial<SettingRow> = {}): SettingRow => ({
@@ -17,19 +18,24 @@ const rows = [
 const table = (more: readonly SettingRow[]): SettingsTable => ({ rows: [...rows, ...more], presets: { ...presets, fast: { ...presets.best, preset: "fast", spacing: "6" } } });
 const tables: SettingsTables = { multiview: table([]), stroke: table([row("roundness", "stroke")]), fill: table([row("density", "surface")]) };
 
+const TASKS = [
+  { name: "multiview", keeps: { settings: [], groups: [] } },
+  { name: "stroke", keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["stroke"] } },
+];
+
 let doc: Doc;
 let labels: string[];
 let options: Options;
 
 beforeEach(() => {
-  doc = { ...BLANK };
+  doc = { task: "multiview", given: {}, desks: {} };
   labels = [];
   const store = new Store<StudioState>({ doc, tables: null } as unknown as StudioState);
   const change = (changed: Partial<Doc>): void => {
     doc = { ...doc, ...changed };
     store.set({ doc });
   };
-  options = new Options({
+  const bench = {
     store,
     project: { get doc() { return doc; }, replace: change },
     get doc() { return doc; },
@@ -37,12 +43,13 @@ beforeEach(() => {
       labels.push(label);
       change(changed);
     },
-  } as unknown as Bench);
-  look = (job) => change({ job });
+  } as unknown as Bench;
+  options = new Options(bench, TASKS);
+  look = (task) => change({ task });
 });
-let look: (job: Job) => void;
+let look: (task: string) => void;
 
-it("keeps the settings of each job apart", () => {
+it("keeps the settings of each task apart", () => {
   options.learn(tables);
   options.set("seed", "3");
   look("stroke");
@@ -64,9 +71,9 @@ it("takes none of several settings where one is impossible", () => {
 it("leaves what is made of one picture alone when a preset changes, and nothing else", () => {
   options.learn(tables);
   const chosen = { seed: "3", control_points: "80", max_width: "5", spacing: "9" };
-  for (const job of ["multiview", "stroke"] as const) {
-    look(job);
-    options.setAll(job === "stroke" ? { ...chosen, roundness: "0.5" } : chosen, "Set several");
+  for (const task of ["multiview", "stroke"]) {
+    look(task);
+    options.setAll(task === "stroke" ? { ...chosen, roundness: "0.5" } : chosen, "Set several");
     options.set("preset", "fast");
   }
   expect(options.all).toEqual({ preset: "fast", seed: "3", control_points: "80", max_width: "5", roundness: "0.5" });
@@ -74,7 +81,7 @@ it("leaves what is made of one picture alone when a preset changes, and nothing 
   expect(options.all).toEqual({ preset: "fast", seed: "3" });
 });
 
-it("gives what an address asks for to the job it names, once it is known what there is", () => {
+it("gives what an address asks for to the task it names, once it is known what there is", () => {
   look("stroke");
   options.ask("stroke", { control_points: "60", colour: "red" });
   expect(options.all).toEqual({});

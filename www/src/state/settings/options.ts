@@ -1,23 +1,23 @@
-/** The settings of the job that is looked at: what they are, and how they change. */
+/** The settings of the task that is looked at: what they are, and how they change. */
 
-import type { Job, SettingsTables, SettingValues } from "../../engine/protocol";
-import { known, presetOf, problemWith } from "../address/fragment";
-import { deskOf, JOBS, withDesk } from "../keeping/document";
-import { tableOf, type Bench } from "../contract/state";
+import type { SettingsTables, SettingValues } from "../../engine/protocol";
+import type { Bench, Settings } from "../contract/bench";
+import { tableOf } from "../contract/state";
+import type { Task } from "../contract/task";
+import { deskOf, withDesk } from "../keeping/document";
+import { known, presetOf, problemWith } from "./values";
 
-/** Settings that say what is made, not how long it takes: a preset leaves them alone, and so it does whole groups. */
-const NOT_OF_PRESETS: Readonly<Record<Job, readonly string[]>> = {
-  multiview: ["seed", "backend"],
-  stroke: ["seed", "backend", "control_points", "min_width", "max_width"],
-  fill: ["seed", "backend"],
-};
-const GROUPS_NOT_OF_PRESETS: readonly string[] = ["views", "stroke", "surface"];
+/** Of every task: a preset leaves them alone. */
+const NOT_OF_PRESETS: readonly string[] = ["seed", "backend"];
 
-export class Options {
+export class Options implements Settings {
   /** From an address, until the tables say which of them there are. */
-  private asked: { readonly job: Job; readonly settings: SettingValues } | null = null;
+  private asked: { readonly task: string; readonly settings: SettingValues } | null = null;
 
-  constructor(private readonly bench: Bench) {}
+  constructor(
+    private readonly bench: Omit<Bench, "settings">,
+    private readonly tasks: readonly Pick<Task, "name" | "keeps">[],
+  ) {}
 
   get all(): SettingValues {
     return deskOf(this.bench.doc).settings;
@@ -46,19 +46,19 @@ export class Options {
   }
 
   /** What an address asks for, once the core has told what there is. */
-  ask(job: Job, settings: SettingValues): void {
-    this.asked = { job, settings };
+  ask(task: string, settings: SettingValues): void {
+    this.asked = { task, settings };
     const { tables } = this.bench.store.get();
     if (tables) this.learn(tables);
   }
 
   learn(tables: SettingsTables): void {
     const { store, project } = this.bench;
-    for (const job of JOBS) {
-      const asked = known(this.asked?.job === job ? this.asked.settings : {}, tables[job]);
-      const { settings } = project.doc.desks[job];
-      const next = Object.keys(asked).length ? asked : known(settings, tables[job]);
-      if (JSON.stringify(next) !== JSON.stringify(settings)) project.replace(withDesk(project.doc, job, { settings: next }));
+    for (const [task, table] of Object.entries(tables)) {
+      const asked = known(this.asked?.task === task ? this.asked.settings : {}, table);
+      const { settings } = deskOf(project.doc, task);
+      const next = Object.keys(asked).length ? asked : known(settings, table);
+      if (JSON.stringify(next) !== JSON.stringify(settings)) project.replace(withDesk(project.doc, task, { settings: next }));
     }
     this.asked = null;
     store.set({ tables });
@@ -66,14 +66,15 @@ export class Options {
 
   private put(label: string, settings: SettingValues, kind = ""): void {
     const { doc } = this.bench;
-    this.bench.edit(label, withDesk(doc, doc.job, { settings }), kind);
+    this.bench.edit(label, withDesk(doc, doc.task, { settings }), kind);
   }
 
   private besidesPreset(): SettingValues {
     const { store, doc } = this.bench;
+    const keeps = this.tasks.find(({ name }) => name === doc.task)?.keeps;
     const rows = tableOf(store.get())?.rows ?? [];
     const groupOf = (name: string): string => rows.find((row) => row.name === name)?.group ?? "";
-    const stays = (name: string): boolean => NOT_OF_PRESETS[doc.job].includes(name) || GROUPS_NOT_OF_PRESETS.includes(groupOf(name));
+    const stays = (name: string): boolean => [...NOT_OF_PRESETS, ...(keeps?.settings ?? [])].includes(name) || keeps?.groups.includes(groupOf(name)) === true;
     return Object.fromEntries(Object.entries(this.all).filter(([name]) => stays(name)));
   }
 }

@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
 import type { WireShape } from "../../embed/shape";
-import type { FoundSurface } from "../../engine/protocol";
 import type { Cover } from "./given";
+import type { FoundSurface } from "./protocol";
 import { Coverer, NO_COVER, type CoverState, type Wish } from "./coverer";
 
-const cover = (shape: "vase" | "knot"): Cover => ({ solid: { shape }, style: null });
+const cover = (shape: "vase" | "knot"): Cover => ({ mesh: { shape }, style: null });
 const wish = (curve: string | null, shape: "vase" | "knot" = "vase", running = false): Wish => ({ cover: cover(shape), settings: {}, curve, running });
 
 let state: CoverState;
@@ -20,8 +20,8 @@ beforeEach(() => {
   answers = [];
   coverer = new Coverer(
     {
-      surface: (solid) => {
-        asked.push("shape" in solid ? solid.shape : solid.name);
+      surface: (mesh) => {
+        asked.push("shape" in mesh ? mesh.shape : mesh.name);
         return Promise.resolve({ triangles: 4 } as FoundSurface);
       },
       curve: () => {

@@ -4,10 +4,11 @@
  */
 
 import { Cancelled } from "../../engine/client";
-import type { Covered, FoundSurface, SettingValues, Solid } from "../../engine/protocol";
+import type { SettingValues } from "../../engine/protocol";
 import type { WireShape } from "../../embed/shape";
-import { coveredOf, solidKey, type Cover } from "./given";
 import { explain } from "../../state/common/words";
+import { meshKey, workOf, type Cover } from "./given";
+import type { FillWork, FoundSurface, Mesh } from "./protocol";
 
 export interface CoverState {
   /** Of the shape that is given; null while it is read. */
@@ -33,8 +34,8 @@ export interface Wish {
 }
 
 export interface CoverEngine {
-  surface(solid: Solid): Promise<FoundSurface>;
-  curve(covered: Covered, settings: SettingValues): Promise<WireShape>;
+  surface(mesh: Mesh): Promise<FoundSurface>;
+  curve(work: FillWork, settings: SettingValues): Promise<WireShape>;
   /** Ends what is asked, which is then refused as `Cancelled`. */
   cancel(): void;
 }
@@ -49,7 +50,7 @@ export class Coverer {
   /** The name of the curve that is being made. */
   private making = "";
   /** What is shown, or could not be. */
-  private known = { solid: "", curve: "" };
+  private known = { mesh: "", curve: "" };
   private surfaceKnown = false;
 
   constructor(
@@ -63,9 +64,9 @@ export class Coverer {
     this.wish = wish;
     clearTimeout(this.timer);
     if (!wish) return;
-    const solid = solidKey(wish.cover.solid);
-    if (solid !== this.known.solid) {
-      this.known = { solid, curve: "" };
+    const mesh = meshKey(wish.cover.mesh);
+    if (mesh !== this.known.mesh) {
+      this.known = { mesh, curve: "" };
       this.show(NO_COVER);
       this.surfaceKnown = false;
     }
@@ -76,8 +77,8 @@ export class Coverer {
   /** Nothing is given any more. */
   forget(): void {
     this.follow(null);
-    if (!this.known.solid) return;
-    this.known = { solid: "", curve: "" };
+    if (!this.known.mesh) return;
+    this.known = { mesh: "", curve: "" };
     this.show(NO_COVER);
   }
 
@@ -98,11 +99,11 @@ export class Coverer {
   }
 
   private async answer(wish: Wish): Promise<void> {
-    const solid = solidKey(wish.cover.solid);
-    const current = (): boolean => this.known.solid === solid;
+    const mesh = meshKey(wish.cover.mesh);
+    const current = (): boolean => this.known.mesh === mesh;
     try {
       if (!this.surfaceKnown) {
-        const surface = await this.engine.surface(wish.cover.solid);
+        const surface = await this.engine.surface(wish.cover.mesh);
         if (!current()) return;
         this.surfaceKnown = true;
         this.show({ surface, coverProblem: "" });
@@ -110,18 +111,18 @@ export class Coverer {
       }
       this.making = wish.curve!;
       this.show({ covering: 0, coverProblem: "" });
-      const covered = await coveredOf(wish.cover);
+      const work = await workOf(wish.cover);
       const wanted = this.making === this.wish?.curve && !this.wish.running;
-      const curve = wanted ? await this.engine.curve(covered, wish.settings) : null;
+      const curve = wanted ? await this.engine.curve(work, wish.settings) : null;
       if (curve && current()) {
-        this.known = { solid, curve: wish.curve! };
+        this.known = { mesh, curve: wish.curve! };
         this.show({ curve });
       }
     } catch (error) {
       // What is wanted now is asked next.
       if (error instanceof Cancelled || !current()) return;
       // Not asked again until something changes.
-      this.known = { solid, curve: wish.curve ?? "" };
+      this.known = { mesh, curve: wish.curve ?? "" };
       this.surfaceKnown = true;
       this.show({ coverProblem: explain(error, "The lines over the shape") });
     } finally {

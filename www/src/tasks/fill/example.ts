@@ -1,14 +1,15 @@
 /**
- * What a first visit to the third job shows: a shape by formula in a style by formula, and the wire that covers it with
- * the usual settings, as a share code (what the page's own link carries). Loaded when that job is first looked at.
+ * What a first visit shows: a shape by formula in a style by formula, and the wire that covers it with the usual settings,
+ * as a share code (what the page's own link carries). Loaded when the task is first looked at.
  */
 
-import type { Cover } from "./given";
-import { fetched } from "../../state/common/fetched";
+import { codeAt } from "../../state/common/fetched";
+import type { Example } from "../../state/contract/task";
 import codeUrl from "./example/wire.code?url";
+import type { Cover } from "./given";
 
-export const FILL_COVER: Cover = { solid: { shape: "creature" }, style: "petals" };
+const COVER: Cover = { mesh: { shape: "creature" }, style: "petals" };
 
-export async function fillCode(): Promise<string> {
-  return (await fetched(codeUrl)).text().then((text) => text.trim());
+export async function example(): Promise<Example<Cover>> {
+  return { code: await codeAt(codeUrl), given: COVER, measured: [] };
 }

@@ -1,9 +1,9 @@
 import { expect, it } from "vitest";
 import type { Affects } from "../../engine/protocol";
-import { curveKey, lookKey, solidName, wordsOf, type Cover, type Settled } from "./given";
+import { address, curveKey, lookKey, meshName, type Cover, type Settled } from "./given";
 
-const vase: Cover = { solid: { shape: "vase" }, style: "waves" };
-const own: Cover = { solid: { key: "k1", name: "bunny.obj", file: new Blob() }, style: null };
+const vase: Cover = { mesh: { shape: "vase" }, style: "waves" };
+const own: Cover = { mesh: { key: "k1", name: "bunny.obj", file: new Blob() }, style: null };
 /** As in the core's table. */
 const AFFECTS: Readonly<Record<string, readonly Affects[]>> = {
   curve_spacing: ["course", "curve"], flow: ["course", "curve"], start: ["course", "curve"], seed: ["pictures", "curve"],
@@ -20,7 +20,7 @@ it("tells apart what makes another curve, and nothing else", () => {
   for (const [name, value] of [["curve_spacing", "0.1"], ["flow", "along"], ["start", "tour"], ["seed", "1"]] as const) expect(key(vase, { [name]: value })).not.toBe(key(vase));
   expect(key(vase, { density: "0.9", style_size: "2" })).toBe(key(vase));
   expect(key({ ...vase, style: "petals" })).toBe(key(vase));
-  expect(key({ ...vase, solid: { shape: "knot" } })).not.toBe(key(vase));
+  expect(key({ ...vase, mesh: { shape: "knot" } })).not.toBe(key(vase));
 });
 
 it("tells apart wires that only look another way, and minds the style's settings where there is one", () => {
@@ -42,11 +42,15 @@ it("minds the style where lines follow it", () => {
 it("tells one file from its namesake", () => {
   const picture = (key: string): Cover => ({ ...vase, style: { key, name: "image.png", width: 1, height: 1, rgba: new Blob() } });
   expect(key(picture("p1"), { flow: "style" })).not.toBe(key(picture("p2"), { flow: "style" }));
-  expect(key(own)).not.toBe(key({ ...own, solid: { key: "k2", name: "bunny.obj", file: new Blob() } }));
+  expect(key(own)).not.toBe(key({ ...own, mesh: { key: "k2", name: "bunny.obj", file: new Blob() } }));
 });
 
 it("puts into words what can travel", () => {
-  expect(wordsOf(vase)).toEqual({ shape: "vase", style: "waves" });
-  expect(wordsOf(own)).toEqual({ shape: null, style: null });
-  expect([solidName(vase.solid), solidName(own.solid)]).toEqual(["Vase", "bunny.obj"]);
+  expect(address.write(vase)).toEqual({ shape: "vase", style: "waves" });
+  // A mesh of one's own stays where it is, and so does what it wears.
+  expect(address.write({ ...own, style: "waves" })).toEqual({});
+  expect(address.read({ shape: "vase", style: "waves" })).toEqual(vase);
+  expect(address.read({ shape: "vase", style: "tartan" })).toEqual({ ...vase, style: null });
+  expect(address.read({ shape: "teapot", style: "waves" })).toBeNull();
+  expect([meshName(vase.mesh), meshName(own.mesh)]).toEqual(["Vase", "bunny.obj"]);
 });

@@ -1,13 +1,12 @@
-/** What a person has covered: a shape, and the style that the wire takes on. Immutable, without elements. */
+/** What a person gives: a mesh to be covered, and the style that the wire takes on. Immutable, without elements. */
 
-import { PATTERNS, SHAPES, type Affects, type Covered, type PatternName, type ShapeName, type Solid } from "../../engine/protocol";
-import type { KeptPicture } from "../multiview/drawing/paper";
-import { pixelsOf } from "../../state/picture/picture";
-
-export { PATTERNS, SHAPES, type PatternName, type ShapeName, type Solid } from "../../engine/protocol";
+import type { Affects } from "../../engine/protocol";
+import type { AddressForm } from "../../state/contract/task";
+import { pixelsOf, type KeptPicture } from "../../state/picture/picture";
+import { PATTERNS, SHAPES, type FillWork, type Mesh, type PatternName, type ShapeName } from "./protocol";
 
 export interface Cover {
-  readonly solid: Solid;
+  readonly mesh: Mesh;
   /** By formula, or a person's own picture. */
   readonly style: PatternName | StylePicture | null;
 }
@@ -17,35 +16,35 @@ export interface StylePicture extends KeptPicture {
   readonly key?: string;
 }
 
-/** Of a link: what of a cover can travel. */
-export interface CoverWords {
-  readonly shape: ShapeName | null;
-  readonly style: PatternName | null;
-}
-
-export const isShape = (word: string | null): word is ShapeName => SHAPES.some((shape) => shape === word);
-export const isPattern = (word: string | null): word is PatternName => PATTERNS.some((pattern) => pattern === word);
+const isShape = (word: string | undefined): word is ShapeName => SHAPES.some((shape) => shape === word);
+const isPattern = (word: string | undefined): word is PatternName => PATTERNS.some((pattern) => pattern === word);
 
 /** "Creature", or what the file is called. */
-export function solidName(solid: Solid): string {
-  return "shape" in solid ? solid.shape.charAt(0).toUpperCase() + solid.shape.slice(1) : solid.name;
+export function meshName(mesh: Mesh): string {
+  return "shape" in mesh ? mesh.shape.charAt(0).toUpperCase() + mesh.shape.slice(1) : mesh.name;
 }
 
 /** Tells one shape from every other. */
-export const solidKey = (solid: Solid): string => ("shape" in solid ? solid.shape : solid.key);
+export const meshKey = (mesh: Mesh): string => ("shape" in mesh ? mesh.shape : mesh.key);
 
 /** Tells one style from every other. */
 function styleKey(style: Cover["style"]): string {
   return style === null ? "" : typeof style === "string" ? style : (style.key ?? style.name);
 }
 
-export function wordsOf({ solid, style }: Cover): CoverWords {
-  return { shape: "shape" in solid ? solid.shape : null, style: typeof style === "string" ? style : null };
-}
+/** What of a cover can travel in an address: a shape by formula, and on it a style by formula. */
+export const address: AddressForm<Cover | null> = {
+  keys: ["shape", "style"],
+  write(cover) {
+    if (!cover || !("shape" in cover.mesh)) return {};
+    return { shape: cover.mesh.shape, ...(typeof cover.style === "string" && { style: cover.style }) };
+  },
+  read: ({ shape, style }) => (isShape(shape) ? { mesh: { shape }, style: isPattern(style) ? style : null } : null),
+};
 
 /** As the engine wants it. */
-export async function coveredOf({ solid, style }: Cover): Promise<Covered> {
-  return { solid, style: style === null || typeof style === "string" ? style : await pixelsOf(style) };
+export async function workOf({ mesh, style }: Cover): Promise<FillWork> {
+  return { mesh, style: style === null || typeof style === "string" ? style : await pixelsOf(style) };
 }
 
 /** What the settings are. */
@@ -61,7 +60,7 @@ export function lookKey({ style }: Cover, { affecting }: Settled): string {
 }
 
 /** Tells curves apart: two covers with the same one have the same curve. */
-export function curveKey({ solid, style }: Cover, { value, affecting }: Settled): string {
+export function curveKey({ mesh, style }: Cover, { value, affecting }: Settled): string {
   const styled = value("flow") === "style" ? [styleKey(style), ...affecting("styled-curve")] : [];
-  return [solidKey(solid), ...affecting("curve"), ...styled].join("|");
+  return [meshKey(mesh), ...affecting("curve"), ...styled].join("|");
 }

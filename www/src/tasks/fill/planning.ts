@@ -1,22 +1,31 @@
 /** Which curve the shape should show: the finished wire's, or, after a change that moves the lines, how they would run now. */
 
-import type { WireShape } from "../../embed/shape";
-import { presetOf } from "../../state/address/fragment";
-import { deskOf, type Made } from "../../state/keeping/document";
 import type { SettingsTable, SettingValues } from "../../engine/protocol";
+import type { Bench } from "../../state/contract/bench";
+import { givenFor, passingOf, tableOf, type TaskState } from "../../state/contract/state";
+import { deskOf, type Made } from "../../state/keeping/document";
+import { presetOf } from "../../state/settings/values";
 import type { Coverer } from "./coverer";
-import type { Options } from "../../state/settings/options";
-import { tableOf, type Bench } from "../../state/contract/state";
-import { curveKey, lookKey, solidKey, type Cover, type Settled } from "./given";
+import { curveKey, lookKey, meshKey, type Cover, type Settled } from "./given";
+
+/** How the wire that is there stands to what would be made. */
+export interface PlanState {
+  /** It would go another way, or look otherwise. */
+  readonly stale: "way" | "look" | null;
+  /** It is of the mesh that is given. */
+  readonly ofThisMesh: boolean;
+}
+
+export const NO_PLAN: PlanState = { stale: null, ofThisMesh: false };
 
 /** What a wire is made of. */
 interface Keys {
-  readonly solid: string;
+  readonly mesh: string;
   readonly curve: string;
   readonly look: string;
 }
 
-const keysOf = (cover: Cover, settled: Settled): Keys => ({ solid: solidKey(cover.solid), curve: curveKey(cover, settled), look: lookKey(cover, settled) });
+const keysOf = (cover: Cover, settled: Settled): Keys => ({ mesh: meshKey(cover.mesh), curve: curveKey(cover, settled), look: lookKey(cover, settled) });
 
 /** The settings as `value` gives them. */
 function settledBy({ rows }: SettingsTable, value: (name: string) => string): Settled {
@@ -31,7 +40,7 @@ export class Planning {
 
   constructor(
     private readonly bench: Bench,
-    private readonly options: Options,
+    private readonly task: TaskState<Cover | null, PlanState>,
     private readonly coverer: Pick<Coverer, "follow" | "forget">,
   ) {}
 
@@ -39,60 +48,62 @@ export class Planning {
   awaits(): void {
     const { doc, store } = this.bench;
     // Before there is a table, settings that are asked for are not known yet.
-    this.awaited = { cover: doc.cover, settings: store.get().tables && doc.desks.fill.settings };
+    this.awaited = { cover: this.cover, settings: store.get().tables && deskOf(doc, this.task.name).settings };
   }
 
-  /** To be called after every change. `ahead`: a wire is on the stage that is not in the document yet. */
-  follow(ahead: boolean): void {
-    const { doc, busy, store } = this.bench;
-    const { cover } = doc;
-    const { settings } = doc.desks.fill;
+  /** To be called after every change. */
+  follow(): void {
+    const { doc, busy, store, settings: chosen } = this.bench;
+    const { cover } = this;
+    const { name } = this.task;
+    const state = store.get();
+    const { settings, made } = deskOf(doc, name);
     if (!cover) this.coverer.forget();
-    if (!cover || doc.job !== "fill" || !tableOf(store.get())) {
+    if (!cover || doc.task !== name || !tableOf(state)) {
       if (cover) this.coverer.follow(null);
-      this.plan(false, false);
+      this.tell(NO_PLAN);
       return;
     }
     if (this.awaited && !this.awaited.settings) this.awaited = { ...this.awaited, settings };
-    const now = keysOf(cover, settledBy(tableOf(store.get())!, (name) => this.options.value(name)));
-    const made = ahead ? this.keysOfAwaited(now) : this.keysOfMade(now);
-    const planned = made?.curve !== now.curve;
-    this.plan(planned, !planned && made?.look !== now.look);
+    const now = keysOf(cover, settledBy(tableOf(state)!, (name) => chosen.value(name)));
+    // A wire may be on the stage that is not in the document yet.
+    const keys = state.ahead?.task === name && state.ahead.coming ? this.keysOfAwaited(now) : this.keysOfMade(now);
+    const planned = keys?.curve !== now.curve;
+    const known = made && this.keys.get(made);
+    this.tell({ stale: planned ? "way" : keys?.look !== now.look ? "look" : null, ofThisMesh: known?.mesh === meshKey(cover.mesh) });
     this.coverer.follow({ cover, settings, curve: planned ? now.curve : null, running: busy });
-  }
-
-  /** What stands on the stage for the finished wire. */
-  standIn(made: WireShape | null): WireShape | null {
-    const { doc, store } = this.bench;
-    const { planned, curve } = store.get();
-    if (doc.job !== "fill" || !planned) return made;
-    const known = doc.desks.fill.made && this.keys.get(doc.desks.fill.made);
-    return curve ?? (known && doc.cover && known.solid === solidKey(doc.cover.solid) ? made : null);
   }
 
   /** What a wire covers; null where that is gone. */
   coverOf(made: Made): Cover | null {
-    const { given } = made.track ?? {};
-    if (given?.job === "fill") return given.cover;
-    const { cover } = this.bench.doc;
+    const { track } = made;
+    if (track?.task === this.task.name) return track.given as Cover;
+    const { cover } = this;
     const known = this.keys.get(made);
-    return cover && (!known || known.solid === solidKey(cover.solid)) ? cover : null;
+    return cover && (!known || known.mesh === meshKey(cover.mesh)) ? cover : null;
   }
 
-  private plan(planned: boolean, restyled: boolean): void {
+  private get cover(): Cover | null {
+    return givenFor(this.bench.store.get(), this.task);
+  }
+
+  private tell({ stale, ofThisMesh }: PlanState): void {
     const { store } = this.bench;
-    const before = store.get();
-    if (planned !== before.planned || restyled !== before.restyled) store.set({ planned, restyled });
+    const before = passingOf(store.get(), this.task);
+    if (stale === before.stale && ofThisMesh === before.ofThisMesh) return;
+    // Whoever looks back is to see how the lines would run now.
+    if ((stale === "way") !== (before.stale === "way")) store.set({ lookingBack: null });
+    this.bench.pass(this.task, { stale, ofThisMesh });
   }
 
   /** Of the finished wire. */
   private keysOfMade(now: Keys): Keys | null {
-    const { made } = deskOf(this.bench.doc);
+    const { made } = deskOf(this.bench.doc, this.task.name);
     if (!made) return null;
     let known = this.keys.get(made);
     if (!known) {
       const { track } = made;
-      known = track?.given.job === "fill" ? this.keysOf(track.given.cover, track.settings) : this.keysOfAwaited(now);
+      known = track ? this.keysOf(track.given as Cover, track.settings) : this.keysOfAwaited(now);
       if (!track) this.awaited = null;
       this.keys.set(made, known);
     }

@@ -1,6 +1,7 @@
 /** What a wire that covers a shape amounts to, in words: how evenly it lies, and what to try. */
 
 import type { Made } from "../../state/keeping/document";
+import type { Cover } from "./given";
 import { percent } from "../../state/common/words";
 
 /** Off the surface by more than this, and what is in front and what is behind begins to blur, world units. */
@@ -11,9 +12,9 @@ const CROWDED = 0.03;
 /** In hundredths of the shape's size, which is two units. */
 export const worldLength = (world: number): string => `${(50 * world).toFixed(1)}%`;
 
-const styled = ({ track }: Made): boolean => track?.given.job === "fill" && track.given.cover.style !== null;
+const styled = ({ track }: Made): boolean => track !== null && (track.given as Cover).style !== null;
 
-export function covered(made: Made): string {
+export function verdict(made: Made): string {
   const { measures } = made.finished;
   const { surface } = measures;
   const apart = measures.components > 1 ? `The wire is in ${measures.components} pieces.` : "";

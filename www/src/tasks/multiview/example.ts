@@ -1,19 +1,20 @@
 /**
  * What a first visit shows: three drawings, and the wire made of them with the usual settings, as a share code
- * (`wire4d multiview` over the drawings beside this file, then `wire4d share`), and how well it matches (`views` of its
- * report). Read without the core, so that it is there at once.
+ * (`wire4d multiview` over the drawings beside it, then `wire4d share`), and how well it matches (`views` of its report).
+ * Read without the core, so that it is there at once.
  */
 
-import type { Ink } from "../../engine/protocol";
-import { fetched } from "../../state/common/fetched";
+import type { EngineClient } from "../../engine/client";
+import { sheetOf } from "../../engine/sheet";
+import { codeAt, fetched } from "../../state/common/fetched";
+import type { Example } from "../../state/contract/task";
+import type { Paper } from "./drawing/paper";
 import front from "./example/front.png?url";
 import side from "./example/side.png?url";
 import top from "./example/top.png?url";
-import codeUrl from "./example/wire.code?url";
 import measured from "./example/views.json";
-import type { ViewMeasures } from "../../engine/protocol";
-import { SLOTS, type Slot } from "../../state/keeping/document";
-import type { Paper } from "./drawing/paper";
+import codeUrl from "./example/wire.code?url";
+import { SLOTS, type Papers, type Slot } from "./given";
 
 /** `tests/drawings/t01-animals`, each already on its sheet. */
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
@@ -22,18 +23,17 @@ const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
   top: { url: top, label: "Fish" },
 };
 
-/** A link does not carry its drawings, so the core cannot measure this. */
-export const EXAMPLE_VIEWS: readonly ViewMeasures[] = measured;
-
-export async function exampleCode(): Promise<string> {
-  return (await fetched(codeUrl)).text().then((text) => text.trim());
+export async function example(engine: EngineClient): Promise<Example<Papers>> {
+  const [code, given] = await Promise.all([codeAt(codeUrl), papers(engine)]);
+  return { code, given, measured };
 }
 
-/** `read` finds the ink of such a drawing. */
-export async function examplePapers(read: (drawing: Blob) => Promise<Ink>): Promise<Record<Slot, Paper>> {
+async function papers(engine: EngineClient): Promise<Papers> {
   const papers = SLOTS.map(async (slot): Promise<[Slot, Paper]> => {
     const { url, label } = DRAWINGS[slot];
-    const { ink } = await read(await (await fetched(url)).blob());
+    const drawing = await (await fetched(url)).blob();
+    // Aside, as codes are; here where there is no worker.
+    const { ink } = await engine.call("sheet", { drawing }).catch(() => sheetOf(drawing));
     return [slot, { label, layers: [{ kind: "stamp", label, ink }] }];
   });
   return Object.fromEntries(await Promise.all(papers)) as Record<Slot, Paper>;

@@ -1,18 +1,55 @@
-/** What people do with the pads of the first job. */
+/** What people do with the pads. */
 
-import type { Reading } from "../../engine/protocol";
-import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./drawing/paper";
-import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
-import type { Slot } from "../../state/keeping/document";
-import { QUIET, type Bench, type PadState } from "../../state/contract/state";
 import { asSentence, explain } from "../../state/common/words";
+import type { Bench } from "../../state/contract/bench";
+import { givenFor, passingOf, QUIET, type PadState, type TaskState } from "../../state/contract/state";
+import type { Files, Taker } from "../../state/contract/task";
+import { deskOf, withGiven } from "../../state/keeping/document";
+import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
+import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./drawing/paper";
+import { SLOTS, type Papers, type Slot } from "./given";
+import { Previewer, type PadRemedy, type PreviewState } from "./previewer";
+import type { Reading } from "./protocol";
 
-export class Pads {
-  constructor(private readonly bench: Bench) {}
+/** What is passing about the pads, and what the drawings come to. */
+export interface Passing extends PreviewState {
+  readonly pads: Readonly<Record<Slot, PadState>>;
+}
+
+export class Pads implements Taker<Papers> {
+  constructor(
+    private readonly bench: Bench,
+    private readonly task: TaskState<Papers, Passing>,
+  ) {
+    const { engine, store } = bench;
+    const previewer = new Previewer(
+      (drawings, settings) => engine.call("preview", { drawings, settings }),
+      (state) => bench.pass(task, state),
+    );
+    store.watch(
+      ({ doc }) => [doc],
+      ({ doc }) => previewer.follow({ papers: this.papers, settings: deskOf(doc, task.name).settings }),
+    );
+  }
+
+  /** Into the empty pads first, then from the front on; one after the other: each is an undo step of its own. */
+  async take({ pictures }: Files): Promise<void> {
+    const { papers } = this;
+    const order = [...SLOTS.filter((slot) => !papers[slot]), ...SLOTS.filter((slot) => papers[slot])];
+    for (const [i, file] of pictures.entries()) await this.give(order[i]!, file, file.name || `the ${order[i]!} picture`);
+  }
+
+  applyRemedy({ kind, slots, quarterTurns }: PadRemedy): void {
+    const [a, b] = slots;
+    if (kind === "arrange") this.bench.settings.set("arrange", "on");
+    else if (kind === "mirror") this.mirror(a!);
+    else if (kind === "turn") this.turn(a!, quarterTurns);
+    else this.swap(a!, b!);
+  }
 
   set(slot: Slot, paper: Paper | null, label: string): void {
     this.show(slot, QUIET);
-    this.bench.edit(label, { papers: { ...this.papers, [slot]: paper } });
+    this.edit(label, { [slot]: paper });
   }
 
   /** Puts a file into a pad. A bad one leaves what was there. */
@@ -45,7 +82,7 @@ export class Pads {
       // Unless the pad was drawn on meanwhile.
       if (this.papers[slot] === paper) {
         const reread = { ...paper, layers: paper.layers.with(at, { ...layer, reading, found }) };
-        this.bench.edit("Find the ink in another way", { papers: { ...this.papers, [slot]: reread } }, `reread ${slot}`);
+        this.edit("Find the ink in another way", { [slot]: reread }, `reread ${slot}`);
       }
       this.show(slot, QUIET);
     } catch (error) {
@@ -64,15 +101,24 @@ export class Pads {
 
   swap(a: Slot, b: Slot): void {
     const { papers } = this;
-    this.bench.edit(`Swap ${a} and ${b}`, { papers: { ...papers, [a]: papers[b], [b]: papers[a] } });
+    this.edit(`Swap ${a} and ${b}`, { [a]: papers[b], [b]: papers[a] });
   }
 
-  clear(slot: Slot): void {
+  clearPad(slot: Slot): void {
     this.set(slot, null, `Clear the ${slot} pad`);
   }
 
-  private get papers() {
-    return this.bench.doc.papers;
+  clear(): void {
+    this.edit("Start with empty pads", this.task.blank);
+  }
+
+  private get papers(): Papers {
+    return givenFor(this.bench.store.get(), this.task);
+  }
+
+  private edit(label: string, change: Partial<Papers>, kind = ""): void {
+    const { doc } = this.bench;
+    this.bench.edit(label, withGiven(doc, this.task.name, { ...this.papers, ...change }), kind);
   }
 
   private change(slot: Slot, how: (paper: Paper) => Paper, label: string): void {
@@ -81,7 +127,7 @@ export class Pads {
   }
 
   private show(slot: Slot, pad: PadState): void {
-    const { store } = this.bench;
-    store.set({ pads: { ...store.get().pads, [slot]: pad } });
+    const { pads } = passingOf(this.bench.store.get(), this.task);
+    this.bench.pass(this.task, { pads: { ...pads, [slot]: pad } });
   }
 }

@@ -1,15 +1,16 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Problem } from "../../engine/client";
-import type { Drawing, Preview } from "../../engine/protocol";
-import { BLANK, type Slot } from "../../state/keeping/document";
+import type { Preview } from "../../engine/protocol";
 import type { Paper } from "./drawing/paper";
-import { NO_PREVIEW, Previewer, type PreviewState, type Sheets } from "./previewer";
+import { NO_PAPERS, type Slot } from "./given";
+import { NO_PREVIEW, Previewer, type PreviewState, type Wanted } from "./previewer";
+import type { Drawing } from "./protocol";
 
 const dot = (x: number): Paper => ({
   label: "dot",
   layers: [{ kind: "stroke", erase: false, widthPx: 40, points: Float32Array.of(x, 100, x + 50, 100) }],
 });
-const docOf = (papers: Partial<Record<Slot, Paper>>, settings = {}): Sheets => ({ papers: { ...BLANK.papers, ...papers }, settings });
+const docOf = (papers: Partial<Record<Slot, Paper>>, settings = {}): Wanted => ({ papers: { ...NO_PAPERS, ...papers }, settings });
 const preview = (coverable: number, remedies: Preview["remedies"] = []): Preview => ({
   drawings: [0, 1].map((source) => ({ source }) as Preview["drawings"][number]),
   coverable,

@@ -1,11 +1,11 @@
 /** Keeps a preview of the drawings as they are now: soon after they change, one at a time, and only of the newest. */
 
-import type { BendPreview, Drawing, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
-import { SLOTS, type Desk, type Doc, type Slot } from "../../state/keeping/document";
-import { drawingOf, isBlank } from "./drawing/paper";
-import { nextTask } from "../../state/common/next-turn";
+import type { BendPreview, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
+import { nextTurn } from "../../state/common/next-turn";
 import { explain } from "../../state/common/words";
-import type { Sheet } from "../../state/keeping/track";
+import { drawingOf, isBlank } from "./drawing/paper";
+import { laidOut, SLOTS, type Papers, type Slot } from "./given";
+import type { Drawing } from "./protocol";
 
 /** What the drawings come to, by the pads they are in. */
 export interface PreviewBySlot {
@@ -30,14 +30,17 @@ export interface PreviewState {
 export const NO_PREVIEW: PreviewState = { preview: null, previewBusy: false, previewProblem: "" };
 
 /** The drawings, and the settings they would run with. */
-export type Sheets = Pick<Doc, "papers"> & Pick<Desk, "settings">;
+export interface Wanted {
+  readonly papers: Papers;
+  readonly settings: SettingValues;
+}
 
 /** A hand that draws is not to be disturbed at every stroke. */
 const WAIT_MS = 200;
 
 export class Previewer {
-  private wanted: Sheets | null = null;
-  private shownPapers: Doc["papers"] | null = null;
+  private wanted: Wanted | null = null;
+  private shownPapers: Papers | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private working = false;
 
@@ -45,23 +48,23 @@ export class Previewer {
     private readonly ask: (drawings: readonly Drawing[], settings: SettingValues) => Promise<Preview>,
     private readonly show: (state: Partial<PreviewState>) => void,
     /** Lets the browser do something else between two sheets. */
-    private readonly pause: () => Promise<void> = nextTask,
+    private readonly pause: () => Promise<void> = nextTurn,
   ) {}
 
   /** To be called after every change. */
-  follow(doc: Sheets): void {
+  follow(wanted: Wanted): void {
     const before = this.wanted;
-    if (before && before.papers === doc.papers && before.settings === doc.settings) return;
-    this.wanted = doc;
+    if (before && before.papers === wanted.papers && before.settings === wanted.settings) return;
+    this.wanted = wanted;
     clearTimeout(this.timer);
     // Whether one of them is blank is seen later: this is called while somebody waits.
-    if (SLOTS.filter((slot) => doc.papers[slot]).length < 2) {
+    if (laidOut(wanted.papers).length < 2) {
       this.shownPapers = null;
       this.show(NO_PREVIEW);
       return;
     }
     // What is known of other sheets is not shown over these.
-    if (this.shownPapers && SLOTS.some((slot) => this.shownPapers![slot] !== doc.papers[slot])) {
+    if (this.shownPapers && SLOTS.some((slot) => this.shownPapers![slot] !== wanted.papers[slot])) {
       this.shownPapers = null;
       this.show({ preview: null });
     }
@@ -72,13 +75,13 @@ export class Previewer {
   private async work(): Promise<void> {
     if (this.working) return;
     this.working = true;
-    const doc = this.wanted!;
-    const current = (): boolean => this.wanted === doc;
+    const wanted = this.wanted!;
+    const current = (): boolean => this.wanted === wanted;
     try {
-      const drawings = await this.drawingsOf(doc);
-      const preview = current() && drawings.length >= 2 ? await this.ask(drawings, doc.settings) : null;
+      const drawings = await this.drawingsOf(wanted);
+      const preview = current() && drawings.length >= 2 ? await this.ask(drawings, wanted.settings) : null;
       if (current()) {
-        this.shownPapers = preview && doc.papers;
+        this.shownPapers = preview && wanted.papers;
         const bySlots = preview && bySlot(preview, drawings.map(({ name }) => name));
         this.show({ preview: bySlots, previewBusy: false, previewProblem: "" });
       }
@@ -89,8 +92,8 @@ export class Previewer {
     if (!current() && this.wanted) void this.work();
   }
 
-  /** Each sheet is put together in a task of its own. */
-  private async drawingsOf({ papers }: Sheets): Promise<(Drawing & { name: Slot })[]> {
+  /** Each sheet is put together in a turn of its own. */
+  private async drawingsOf({ papers }: Wanted): Promise<(Drawing & { name: Slot })[]> {
     const drawings: (Drawing & { name: Slot })[] = [];
     for (const slot of SLOTS) {
       const paper = papers[slot];
@@ -100,14 +103,6 @@ export class Previewer {
     }
     return drawings;
   }
-}
-
-/** The pads that hold ink, in order. */
-export function sheetsOf({ papers }: Pick<Doc, "papers">): Sheet[] {
-  return SLOTS.flatMap((slot) => {
-    const paper = papers[slot];
-    return paper && !isBlank(paper) ? [{ slot, paper }] : [];
-  });
 }
 
 function bySlot({ drawings, remedies, ...rest }: Preview, slots: readonly Slot[]): PreviewBySlot {

@@ -1,9 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { Finished, Target, ViewMeasures } from "../../engine/protocol";
-import type { Slot } from "../../state/keeping/document";
 import type { Made } from "../../state/keeping/document";
 import { freshTrack } from "../../state/keeping/track";
+import { PAPER_PX, type Paper } from "./drawing/paper";
+import { NO_PAPERS, type Papers } from "./given";
 import { verdict } from "./verdict";
+
+const FULL = new Uint8Array(PAPER_PX * PAPER_PX).fill(255);
 
 type Numbers = readonly [softIou: number | null, precision?: number, recall?: number];
 
@@ -11,7 +14,7 @@ const view = (name: string, [soft_iou, precision_2px = 1, recall_2px = 1]: Numbe
   name, soft_iou, precision_2px, recall_2px, target_coverable: 1, bent: null, ...more,
 });
 
-function made(views: readonly ViewMeasures[], more: { components?: number; settings?: Record<string, string>; stopped?: boolean; labels?: readonly string[]; one?: boolean } = {}): Made {
+function made(views: readonly ViewMeasures[], more: { components?: number; settings?: Record<string, string>; stopped?: boolean; labels?: readonly string[] } = {}): Made {
   const target = (name: string, source: number): Target => ({ view: { name } as Target["view"], source, mirrored: false, quarterTurns: 0, coverable: 1, width: 0, height: 0, ink: new Uint8Array() });
   const finished: Finished = {
     wire: { closed: false, knots: [], controlPoints: [] },
@@ -22,9 +25,9 @@ function made(views: readonly ViewMeasures[], more: { components?: number; setti
     file: new Uint8Array(),
     code: "",
   };
-  const sheets = views.map(({ name }, i) => ({ slot: name as Slot, paper: { layers: [], label: more.labels?.[i] ?? "Drawing" } }));
-  const given = more.one ? ({ job: "stroke", subject: {} as never } as const) : ({ job: "multiview", sheets } as const);
-  return { finished, source: "run", track: freshTrack(given, more.settings ?? {}), stopped: more.stopped ?? false, seconds: 1 };
+  const paper = (label: string): Paper => ({ layers: [{ kind: "stamp", label, ink: FULL }], label });
+  const papers: Papers = { ...NO_PAPERS, ...Object.fromEntries(views.map(({ name }, i) => [name, paper(more.labels?.[i] ?? "Drawing")])) };
+  return { finished, source: "run", track: freshTrack("multiview", papers, more.settings ?? {}), stopped: more.stopped ?? false, seconds: 1 };
 }
 
 describe("a verdict", () => {
@@ -71,22 +74,5 @@ describe("a verdict", () => {
 
   it("has nothing to compare in a wire from a link", () => {
     expect(verdict(made([view("front", [null])]))).toBe("One piece of wire. Its drawings are not with it, so there is nothing to compare.");
-  });
-});
-
-describe("a verdict on one picture", () => {
-  const one = (numbers: Numbers, more: Parameters<typeof made>[1] = {}) => verdict(made([view("front", numbers), view("33,6", [0.2, 0.5, 0.5])], { one: true, ...more }));
-
-  it("is about the picture, and not about the sides that nobody gave", () => {
-    expect(one([0.95])).toBe("The front matches well, in one piece of wire.");
-    expect(one([0.95], { components: 3 })).toBe("The front matches well. The wire is in 3 pieces.");
-  });
-
-  it("says what is wrong and what to try", () => {
-    expect(one([0.7, 1, 0.9], { settings: { control_points: "60" } })).toBe(
-      "The front does not match well yet; 10% of the picture’s lines are missing. More control points draw it more closely.",
-    );
-    expect(one([0.75, 0.9, 1], { stopped: true })).toMatch(/10% of what it shows is wire between the lines\. It was stopped early/);
-    expect(one([0.95], { components: 9, settings: { form: "bag" } })).toMatch(/One smooth wire keeps it together\.$/);
   });
 });

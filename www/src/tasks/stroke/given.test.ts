@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { FoundObject } from "../../engine/protocol";
+import type { FoundObject } from "./protocol";
 import { maskOf, maskSize, maskStroke, objectAt, placesOf, type MaskStroke, type Subject } from "./given";
 
 const picture = (width: number, height: number) => ({ name: "cup.png", width, height, rgba: new Blob() });

@@ -1,8 +1,9 @@
 /** The one picture that a stroke is made from, and what a person said of the object in it. Immutable, without elements. */
 
-import type { FoundObject, Ink } from "../../engine/protocol";
-import type { KeptPicture } from "../multiview/drawing/paper";
+import type { Ink } from "../../engine/protocol";
 import { stroke, thinned } from "../../state/picture/ink";
+import type { KeptPicture } from "../../state/picture/picture";
+import type { FoundObject } from "./protocol";
 
 /** What a person gives for one picture: the picture, and what they said of its mask. */
 export interface Subject {

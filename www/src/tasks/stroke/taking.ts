@@ -1,20 +1,30 @@
-/** What people do with the one picture of the second job: give it, say what of it is meant, and how deep it is. */
+/** What people do with the one picture: give it, say what of it is meant, and how deep it is. */
 
 import { Problem } from "../../engine/client";
+import { explain } from "../../state/common/words";
+import type { Bench } from "../../state/contract/bench";
+import { givenFor, QUIET, type PadState, type TaskState } from "../../state/contract/state";
+import type { Files, Taker } from "../../state/contract/task";
+import { withGiven } from "../../state/keeping/document";
 import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
 import type { MaskStroke, Subject } from "./given";
-import { QUIET, type Bench, type PadState } from "../../state/contract/state";
-import { explain } from "../../state/common/words";
 
-export class Sitting {
-  constructor(private readonly bench: Bench) {}
+export class SubjectTaker implements Taker<Subject | null> {
+  constructor(
+    private readonly bench: Bench,
+    private readonly task: TaskState<Subject | null, PadState>,
+  ) {}
+
+  async take({ pictures }: Files): Promise<void> {
+    for (const file of pictures) await this.give(file, file.name || "the picture");
+  }
 
   /** A picture, and the object the app finds in it. A bad one leaves what was there. */
   async give(file: Blob, name: string): Promise<void> {
     await this.attempt(name, async () => {
       const { note, ...pixels } = await readPicture(file, name);
       const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth: null };
-      const take = (found: Subject["found"]): void => this.bench.edit(`Take the picture ${name}`, { subject: { ...subject, found } });
+      const take = (found: Subject["found"]): void => this.edit(`Take the picture ${name}`, { ...subject, found });
       try {
         take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1 }));
       } catch (error) {
@@ -32,7 +42,7 @@ export class Sitting {
     if (!subject || object === subject.object) return;
     await this.attempt(subject.picture.name, async () => {
       const found = await this.bench.engine.call("find", { picture: await pixelsOf(subject.picture), object });
-      if (this.subject === subject) this.bench.edit("Choose another object", { subject: { ...subject, object, found } });
+      if (this.subject === subject) this.edit("Choose another object", { ...subject, object, found });
     });
   }
 
@@ -60,15 +70,41 @@ export class Sitting {
 
   clear(): void {
     this.show(QUIET);
-    if (this.subject) this.bench.edit("Take the picture away", { subject: null });
+    if (this.subject) this.edit("Take the picture away", null);
+  }
+
+  /** The object of an example's picture, for showing: it needs the core. */
+  complete(subject: Subject | null): void {
+    if (subject) void this.findIn(subject);
   }
 
   private get subject(): Subject | null {
-    return this.bench.doc.subject;
+    return givenFor(this.bench.store.get(), this.task);
+  }
+
+  private async findIn(subject: Subject): Promise<void> {
+    const { engine, project, store } = this.bench;
+    const { name } = this.task;
+    // Nobody is to hear that it was not found while it is sought.
+    this.bench.pass(this.task, { busy: true });
+    const picture = await pixelsOf(subject.picture);
+    // Where there is no core, that is said elsewhere.
+    const found = await engine.call("find", { picture, object: 1 }).catch(() => null);
+    // Whoever gave another picture meanwhile is waiting for that one.
+    if (this.subject !== subject) return;
+    this.bench.pass(this.task, { busy: false });
+    if (!found || this.bench.busy) return;
+    const shown = { ...subject, found };
+    project.amend((doc) => (doc.given[name] === subject ? { ...doc, ...withGiven(doc, name, shown) } : doc));
+    store.set({ examples: { ...store.get().examples, [name]: shown } });
+  }
+
+  private edit(label: string, subject: Subject | null): void {
+    this.bench.edit(label, withGiven(this.bench.doc, this.task.name, subject));
   }
 
   private change(change: Partial<Subject>, label: string): void {
-    if (this.subject) this.bench.edit(label, { subject: { ...this.subject, ...change } });
+    if (this.subject) this.edit(label, { ...this.subject, ...change });
   }
 
   /** `work` may end with a note. */
@@ -81,7 +117,7 @@ export class Sitting {
     }
   }
 
-  private show(sitting: PadState): void {
-    this.bench.store.set({ sitting });
+  private show(pad: PadState): void {
+    this.bench.pass(this.task, pad);
   }
 }

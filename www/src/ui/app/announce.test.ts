@@ -1,5 +1,4 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { BLANK } from "../../state/keeping/document";
 import type { StudioState } from "../../state/studio";
 import { news, Pacer } from "./announce";
 
@@ -22,10 +21,10 @@ it("says at most one thing in three seconds, and then the newest", () => {
 
 it("tells phases, quarters and words, and keeps quiet otherwise", () => {
   const state = (phase: StudioState["phase"], share: number, said = ""): StudioState =>
-    ({ doc: BLANK, phase, said, progress: { share } }) as StudioState;
-  expect(news(state("idle", 0), state("preparing", 0))).toBe("Preparing the run.");
-  expect(news(state("running", 0.2), state("running", 0.24))).toBe("");
-  expect(news(state("running", 0.24), state("running", 0.26))).toBe("25% done.");
-  expect(news(state("running", 0.99), state("idle", 0))).toBe("The run has ended.");
-  expect(news(state("idle", 0), state("idle", 0, "Link copied."))).toBe("Link copied.");
+    ({ doc: { task: "knit", given: {}, desks: {} }, phase, said, progress: { share } }) as StudioState;
+  expect(news(state("idle", 0), state("preparing", 0), [])).toBe("Preparing the run.");
+  expect(news(state("running", 0.2), state("running", 0.24), [])).toBe("");
+  expect(news(state("running", 0.24), state("running", 0.26), [])).toBe("25% done.");
+  expect(news(state("running", 0.99), state("idle", 0), [])).toBe("The run has ended.");
+  expect(news(state("idle", 0), state("idle", 0, "Link copied."), [])).toBe("Link copied.");
 });

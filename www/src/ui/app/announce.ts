@@ -1,9 +1,9 @@
 /** What a screen reader hears of the page, at a bearable pace. */
 
-import { JOBS, type Made, type Phase, type StudioState } from "../../state/studio";
+import { deskOf, type Made, type Phase, type StudioState } from "../../state/studio";
 import { percent } from "../../state/common/words";
+import type { Task } from "../../state/contract/task";
 import { compared } from "../run/compared";
-import { verdict } from "../../tasks/multiview/verdict";
 
 const PHASES: Readonly<Record<Phase, string>> = {
   idle: "",
@@ -13,16 +13,19 @@ const PHASES: Readonly<Record<Phase, string>> = {
   finishing: "Keeping the best wire so far.",
 };
 
+/** What is read here of tasks. */
+type Told = Pick<Task, "name" | "compared" | "verdict">;
+
 /** What changed from one state to the next, as far as it is worth saying; empty if nothing is. */
-export function news(before: StudioState, now: StudioState): string {
-  for (const job of JOBS) {
-    const { made, loose } = now.doc.desks[job];
-    const { made: madeBefore, loose: looseBefore } = before.doc.desks[job];
+export function news(before: StudioState, now: StudioState, tasks: readonly Told[]): string {
+  for (const { name, compared: views, verdict } of tasks) {
+    const { made, loose } = deskOf(now.doc, name);
+    const { made: madeBefore, loose: looseBefore } = deskOf(before.doc, name);
     if (now.phase !== "idle") break;
     // Of the run that was on the page, and not kept from before or brought back by undo.
     const fresh = ({ track }: Made): boolean => track !== null && track === before.track;
     if (made !== madeBefore && made?.source === "run" && fresh(made)) return `Done. ${verdict(made)}`;
-    if (loose !== looseBefore && loose && made && fresh(loose)) return `Done. ${compared(made, loose)}`;
+    if (loose !== looseBefore && loose && made && fresh(loose)) return `Done. ${compared(made, loose, views.length)}`;
   }
   if (now.said !== before.said && now.said) return now.said;
   if (now.phase !== before.phase) return PHASES[now.phase] || "The run has ended.";

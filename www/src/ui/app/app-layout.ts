@@ -2,9 +2,6 @@
 
 import { css } from "lit";
 
-/** The same as in the styles here and in the panels: a stage above a sheet. */
-export const NARROW = "(max-width: 819px), (max-width: 1099px) and (orientation: portrait)";
-
 export const layout = css`
   :host {
     display: grid;

@@ -1,16 +1,18 @@
-import { css, html, LitElement } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { css, html, LitElement, type TemplateResult } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
 import { remember, remembered } from "../../state/common/remember";
 import { dialogStyle } from "../shared/dialog-style";
 import { controls } from "../shared/shared";
-import { SHORTCUTS } from "./shortcuts";
+import { ACTIONS } from "./actions";
 
 export const lettersOn = (): boolean => remembered("keys") !== "off";
 
 /** What this is, which keys it knows, and what becomes of one's drawings. */
 @customElement("help-dialog")
 export class HelpDialog extends LitElement {
+  /** What it says of each task. */
+  @property({ attribute: false }) tasks: readonly TemplateResult[] = [];
   @state() private letters = lettersOn();
   @query("dialog") private dialog!: HTMLDialogElement;
 
@@ -92,28 +94,14 @@ export class HelpDialog extends LitElement {
         <button class="plain square" aria-label="Close help" @click=${() => this.dialog.close()}>${icons.close}</button>
       </header>
       <div class="body">
-        <p>
-          <b>Three views.</b> Put a picture on each pad: draw it, type a word, choose an icon, or drop a file. Press Run, and one continuous wire
-          bends itself until its shadows from the front, the side and above are your three drawings. What no wire can show in all
-          views at once is marked in amber before you run, with a click to make it better. Turn the room to see the pictures click
-          into place.
-        </p>
-        <p>
-          <b>One picture.</b> Give one picture with something in it: a cat, a face, a word. The app finds what stands out, guesses
-          how it is rounded, and bends one wire that draws it from the front and still makes sense from the side. Fewer control
-          points make it more abstract.
-        </p>
-        <p>
-          <b>A shape.</b> Choose a shape or drop a mesh, and one closed wire covers it all over. A style bends and thickens it: petals,
-          waves, or a picture of your own. What is behind the shape is hidden, so that the lines stay clear.
-        </p>
+        ${this.tasks.map((help) => html`<p>${help}</p>`)}
         <p>When you like a wire, copy its link or save it for a 3D printer.</p>
         <p><b>Nothing leaves this device:</b> no upload, no account, no tracking. Your work is kept in this browser only.</p>
         <h2>Keys</h2>
         <dl>
-          ${SHORTCUTS.map(
-            ({ keys, words }) => html`<dt>${keys.map((key, i) => html`${i ? " or " : ""}${key.split(" ").map((part) => html`<kbd>${part}</kbd> `)}`)}</dt>
-              <dd>${words}</dd>`,
+          ${ACTIONS.filter(({ help }) => help).map(
+            ({ keys = [], help }) => html`<dt>${keys.map((key, i) => html`${i ? " or " : ""}${key.split(" ").map((part) => html`<kbd>${part}</kbd> `)}`)}</dt>
+              <dd>${help}</dd>`,
           )}
         </dl>
         <label><input type="checkbox" .checked=${this.letters} @change=${this.switchLetters} /> Use keys of one letter</label>

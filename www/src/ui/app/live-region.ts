@@ -1,5 +1,6 @@
 import { html, LitElement } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import type { Task } from "../../state/contract/task";
 import type { StudioState } from "../../state/studio";
 import { news, Pacer } from "./announce";
 import { controls } from "../shared/shared";
@@ -7,9 +8,10 @@ import { controls } from "../shared/shared";
 /** Says politely what goes on. Seen by nobody. */
 @customElement("live-region")
 export class LiveRegion extends LitElement {
+  tasks: readonly Task[] = [];
   /** Told of every state; only what changed is worth saying. */
   set state(now: StudioState) {
-    if (this.last) this.pacer.add(news(this.last, now));
+    if (this.last) this.pacer.add(news(this.last, now, this.tasks));
     this.last = now;
   }
   @state() private message = "";

@@ -1,5 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
+import { continueUnfinished, dismiss, dropUnfinished, keepHere } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
 import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
@@ -66,14 +67,14 @@ export class NoticeList extends Part {
         ${problem
           ? html`<div class="notice problem">
               ${icons.warning}<span>${problem}</span>
-              <button class="plain square" aria-label="Close this message" @click=${() => this.studio.warn("")}>${icons.close}</button>
+              <button class="plain square" aria-label="Close this message" @click=${() => this.studio.act(dismiss, problem)}>${icons.close}</button>
             </div>`
           : nothing}
       </div>
       ${notices.map((words) =>
         this.notice(
           words,
-          html`<button class="plain square" aria-label="Close this message" @click=${() => this.studio.dismiss(words)}>${icons.close}</button>`,
+          html`<button class="plain square" aria-label="Close this message" @click=${() => this.studio.act(dismiss, words)}>${icons.close}</button>`,
         ),
       )}
       ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
@@ -82,14 +83,14 @@ export class NoticeList extends Part {
             unfinished.iterations > 0
               ? `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`
               : "A run was cut off before its first wire.",
-            html`<button class="primary" @click=${() => void this.studio.continueUnfinished()}>Go on</button>
-              <button @click=${() => this.studio.dropUnfinished()}>Leave it</button>`,
+            html`<button class="primary" @click=${() => this.studio.act(continueUnfinished)}>${continueUnfinished.label}</button>
+              <button @click=${() => this.studio.act(dropUnfinished)}>${dropUnfinished.label}</button>`,
           )
         : nothing}
       ${keeping === "elsewhere"
         ? this.notice(
             "This project is open in another tab; what you do here is not kept.",
-            html`<button @click=${() => this.studio.keepHere()}>Keep it here instead</button>`,
+            html`<button @click=${() => this.studio.act(keepHere)}>${keepHere.label}</button>`,
           )
         : nothing}
     `;

@@ -1,5 +1,4 @@
 import "../run/result-panel";
-import "../run/run-choices";
 import "../run/run-panel";
 import "../run/wire-comparison";
 import "../save/save-panel";

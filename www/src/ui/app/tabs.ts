@@ -1,7 +1,6 @@
 /** The four parts of the sheet on a phone, and the tabs that choose one. */
 
 import { css, html, type TemplateResult } from "lit";
-import type { Job } from "../../state/studio";
 import { icons } from "../shared/icons";
 import { walkTabs } from "../shared/tablist";
 
@@ -15,9 +14,8 @@ const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
   share: { words: "Share", icon: icons.share },
 };
 
-const GIVEN: Readonly<Record<Job, string>> = { multiview: "Pictures", stroke: "Picture", fill: "Shape" };
-
-export function tabs(chosen: Tab, job: Job, choose: (tab: Tab) => void): TemplateResult {
+/** `pads` is what the part where things are given is called. */
+export function tabs(chosen: Tab, pads: string, choose: (tab: Tab) => void): TemplateResult {
   const press = (event: KeyboardEvent): void => walkTabs(event, TABS, choose);
   return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
     ${TABS.map(
@@ -30,7 +28,7 @@ export function tabs(chosen: Tab, job: Job, choose: (tab: Tab) => void): Templat
         tabindex=${tab === chosen ? 0 : -1}
         @click=${() => choose(tab)}
       >
-        ${SHOWN[tab].icon} ${tab === "pictures" ? GIVEN[job] : SHOWN[tab].words}
+        ${SHOWN[tab].icon} ${tab === "pictures" ? pads : SHOWN[tab].words}
       </button>`,
     )}
   </div>`;

@@ -1,24 +1,30 @@
 import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { deskOf, type Studio, type StudioState } from "../../state/studio";
+import { redo, undo } from "../../state/actions/actions";
+import type { Studio, StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
+import type { PageTask } from "../shared/page-task";
 import { controls } from "../shared/shared";
-import { jobTabs, jobTabsStyle } from "./task-tabs";
+import { copyLink, help, type PageAction } from "./actions";
+import { taskTabs, taskTabsStyle } from "./task-tabs";
 import { chooseTheme, nextTheme, theme, type Theme } from "../shared/theme";
 
 const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
 
-/** Name, what to make, undo, redo, sharing, colours and help. Fires `share` and `help`. */
+/** Name, what to make, undo, redo, sharing, colours and help. */
 @customElement("top-bar")
 export class TopBar extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
+  @property({ attribute: false }) tasks!: readonly PageTask[];
+  /** Does what is the page's to do. */
+  @property({ attribute: false }) act!: (action: PageAction) => void;
   @state() private theme = theme();
 
   static override styles = [
     controls,
-    jobTabsStyle,
+    taskTabsStyle,
     css`
       :host {
         display: flex;
@@ -72,20 +78,22 @@ export class TopBar extends Part {
   ];
 
   override render() {
-    const { undo, redo, phase, running, doc } = this.state;
-    const idle = phase === "idle";
+    const { running, doc } = this.state;
     const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[nextTheme(this.theme)]}`;
     return html`
       <h1>Wire<b>4D</b></h1>
-      ${jobTabs(doc.job, running, (job) => this.studio.choose(job))}
+      ${taskTabs(this.tasks, doc.task, running, (task) => this.studio.choose(task))}
       <div class="tools">
-        ${this.tool(icons.undo, undo ? `Undo: ${undo}` : "Undo", idle && undo !== null, () => this.studio.undo())}
-        ${this.tool(icons.redo, redo ? `Redo: ${redo}` : "Redo", idle && redo !== null, () => this.studio.redo())}
-        <button class="share" ?disabled=${!deskOf(doc).made || !idle} @click=${() => this.dispatchEvent(new Event("share"))}>${icons.share} Share</button>
+        ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
+        <button class="share" ?disabled=${!this.studio.can(copyLink)} @click=${() => this.act(copyLink)}>${icons.share} Share</button>
         ${this.tool(icons[this.theme], colours, true, () => chooseTheme((this.theme = nextTheme(this.theme))))}
-        ${this.tool(icons.help, "Help", true, () => this.dispatchEvent(new Event("help")))}
+        ${this.acting(help, icons.help)}
       </div>
     `;
+  }
+
+  private acting(action: PageAction, icon: unknown) {
+    return this.tool(icon, action.says?.(this.state) ?? action.label, this.studio.can(action), () => this.act(action));
   }
 
   private tool(icon: unknown, words: string, enabled: boolean, act: () => void) {

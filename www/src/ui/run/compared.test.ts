@@ -6,25 +6,24 @@ import { compared, gapOf, meanMatch } from "./compared";
 
 type Numbers = readonly [front: number, side: number, pieces: number, gap: number];
 
-function made([front, side, components, connectivity_cost]: Numbers, { job = "stroke", stopped = false } = {}): Made {
+function made([front, side, components, connectivity_cost]: Numbers, { stopped = false } = {}): Made {
   const view = (name: string, soft_iou: number) => ({ name, soft_iou, precision_2px: 1, recall_2px: 1, target_coverable: null, bent: null });
   const measures = { views: [view("front", front), view("33,6", side)], components, connectivity_cost, length: 10, control_points: 40, min_width: 0.01, max_width: 0.02 };
-  const given = job === "stroke" ? { job: "stroke" as const, subject: {} as never } : { job: "multiview" as const, sheets: [] };
-  return { finished: { measures } as unknown as Finished, source: "run", track: freshTrack(given, {}), stopped, seconds: 1 };
+  return { finished: { measures } as unknown as Finished, source: "run", track: freshTrack("knit", null, {}), stopped, seconds: 1 };
 }
 
 it("says in what they differ: match, pieces and what it would take to join them", () => {
   const wire = made([0.95, 0.2, 1, 0]);
-  expect(compared(wire, made([0.94, 0.9, 212, 2.5]))).toBe(
+  expect(compared(wire, made([0.94, 0.9, 212, 2.5]), 1)).toBe(
     "Both match about as well. Loose strokes fall into 212 pieces, the wire is one. To join them would take 25% more wire.",
   );
-  expect(compared(wire, made([0.99, 0.2, 1, 0]))).toBe("Loose strokes match better. Both are in one piece.");
-  expect(compared(wire, made([0.8, 0.2, 3, 0], { stopped: true }))).toMatch(/^The wire matches better\..*stopped early\.$/);
+  expect(compared(wire, made([0.99, 0.2, 1, 0]), 1)).toBe("Loose strokes match better. Both are in one piece.");
+  expect(compared(wire, made([0.8, 0.2, 3, 0], { stopped: true }), 1)).toMatch(/^The wire matches better\..*stopped early\.$/);
 });
 
-it("counts the picture alone where there is one, and every drawing where there are several", () => {
-  expect(meanMatch(made([0.9, 0.5, 1, 0]))).toBe(0.9);
-  expect(meanMatch(made([0.9, 0.5, 1, 0], { job: "multiview" }))).toBeCloseTo(0.7);
+it("counts the views that a picture was given for", () => {
+  expect(meanMatch(made([0.9, 0.5, 1, 0]), 1)).toBe(0.9);
+  expect(meanMatch(made([0.9, 0.5, 1, 0]), 3)).toBeCloseTo(0.7);
 });
 
 it("has no gap in one piece", () => {

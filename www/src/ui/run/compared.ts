@@ -3,20 +3,21 @@
 import type { Made } from "../../state/keeping/document";
 import { percent } from "../../state/common/words";
 import { count } from "../../state/common/count";
-import { match } from "../../tasks/multiview/verdict";
+import { match } from "../../view/likeness";
 
 /** Matches that differ by less look alike. */
 const ALIKE = 0.02;
 
-/** How well a wire shows what was given, 0 to 1: the picture, or the mean of the drawings. */
-export function meanMatch({ finished, track }: Made): number | null {
-  const views = track?.given.job === "stroke" ? finished.measures.views.slice(0, 1) : finished.measures.views;
-  const shares = views.flatMap((view) => match(view) ?? []);
+/** How well a wire shows what was given, 0 to 1: the mean over the first `views`, those that a picture was given for. */
+export function meanMatch({ finished }: Made, views: number): number | null {
+  const shares = finished.measures.views
+    .slice(0, views)
+    .flatMap((view) => match(view) ?? []);
   return shares.length ? shares.reduce((sum, share) => sum + share, 0) / shares.length : null;
 }
 
-export function compared(wire: Made, loose: Made): string {
-  const [a, b] = [meanMatch(wire), meanMatch(loose)];
+export function compared(wire: Made, loose: Made, views: number): string {
+  const [a, b] = [meanMatch(wire, views), meanMatch(loose, views)];
   const [pieces, strokes] = [wire.finished.measures.components, loose.finished.measures.components];
   const gap = gapOf(loose);
   const sentences = [

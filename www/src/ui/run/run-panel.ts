@@ -1,133 +1,27 @@
-import { css, html, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
+import { pause, reset, run, step, stop } from "../../state/actions/actions";
 import { showsExample, type Studio, type StudioState } from "../../state/studio";
 import { timeLeft } from "../../state/common/words";
 import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
-import { JOB_WORDS } from "../app/task-tabs";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf } from "../settings/device-words";
+import type { PageTask } from "../shared/page-task";
 import { barStyle, controls } from "../shared/shared";
+import { runStyle } from "./run-style";
 
-/** Run and what goes with it, and what is going on in words. Fires `draw`, `choose-picture` or `choose-mesh` when a person wants to. */
+/** Run and what goes with it, and what is going on in words. Fires `own` when a person wants to give something of their own. */
 @customElement("run-panel")
 export class RunPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
+  @property({ attribute: false }) tasks!: readonly PageTask[];
   @query(".buttons") private buttons!: HTMLElement;
   /** The button that has the focus. */
   private pressed: Element | null = null;
 
-  static override styles = [
-    controls,
-    barStyle,
-    css`
-      :host {
-        display: block;
-      }
-      .buttons {
-        display: grid;
-        grid-template-columns: repeat(4, minmax(0, 1fr));
-        gap: 8px;
-      }
-      button {
-        grid-column: span 2;
-        min-height: 40px;
-        padding: 0 8px;
-        white-space: nowrap;
-      }
-      .primary,
-      .wide {
-        grid-column: 1 / -1;
-      }
-      .primary svg.icon {
-        fill: currentColor;
-      }
-      .primary,
-      .pause {
-        min-height: 48px;
-      }
-      .pause {
-        grid-column: span 2;
-        font-weight: 600;
-      }
-      .bar {
-        margin-block-start: 16px;
-      }
-      /* Three lines are kept free, so that nothing below moves when a run starts. */
-      p {
-        display: flex;
-        flex-wrap: wrap;
-        align-content: start;
-        gap: 0 8px;
-        min-height: 54px;
-        margin: 8px 0 0;
-        font-size: 13px;
-        line-height: 18px;
-        white-space: nowrap;
-        color: var(--quiet);
-      }
-      .words {
-        flex: 1;
-        min-width: 60%;
-        overflow-wrap: anywhere;
-        white-space: normal;
-      }
-      .device {
-        flex: 1 0 100%;
-        overflow: hidden;
-        text-overflow: ellipsis;
-      }
-      .steps {
-        flex: 1;
-      }
-      /* A strip between stage and sheet: one row of buttons, two lines of words. */
-      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
-        :host {
-          display: flex;
-          flex-direction: column;
-        }
-        .bar {
-          order: -1;
-          margin: 0 -16px 8px;
-          border-radius: 0;
-        }
-        .buttons {
-          display: flex;
-        }
-        button {
-          flex: 1 1 auto;
-          min-height: 44px;
-        }
-        .primary {
-          flex-grow: 3;
-        }
-        p {
-          min-height: 36px;
-          margin: 4px 0;
-        }
-        .words {
-          overflow: hidden;
-          text-overflow: ellipsis;
-          white-space: nowrap;
-        }
-        /* Too wide to stand beside the words. */
-        .device {
-          flex: 1 1 60%;
-          min-width: 0;
-        }
-        .steps {
-          position: absolute;
-          clip-path: inset(50%);
-        }
-      }
-      @media (max-width: 479px) {
-        .going button:not(.pause) span {
-          display: none;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, barStyle, runStyle];
 
   override render() {
     const { phase, progress } = this.state;
@@ -155,33 +49,39 @@ export class RunPanel extends Part {
     this.style.setProperty("--share", String(this.state.progress.share));
   }
 
+  /** The one that is looked at. */
+  private get task(): PageTask {
+    return this.named(this.state.doc.task);
+  }
+
+  private named(task: string): PageTask {
+    return this.tasks.find(({ name }) => name === task)!;
+  }
+
   private idle(): TemplateResult {
     const { doc, planned, restyled } = this.state;
-    const { job } = doc;
+    const { page, isBlank } = this.task;
     const example = showsExample(this.state);
+    const { icon, instead, again } = page.own;
     return html`
-      <button class="primary" @click=${() => void this.studio.run()}>${icons.run} ${example && !planned && !restyled ? "Make it again" : job === "fill" ? "Cover it" : "Run"}</button>
-      ${job === "fill"
-        ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-mesh"))}>${icons.open} Open a mesh</button>`
-        : job === "stroke"
-        ? html`<button class="wide" @click=${() => this.dispatchEvent(new Event("choose-picture"))}>${icons.picture} ${example || given(this.state) === 0 ? "Use your own" : "Start over"}</button>`
-        : html`<button class="wide" @click=${this.draw}>${icons.pencil} ${example || given(this.state) === 0 ? "Draw your own" : "Start over"}</button>`}
+      <button class="primary" @click=${() => this.studio.act(run)}>${icons.run} ${example && !planned && !restyled ? "Make it again" : page.run}</button>
+      <button class="wide" @click=${() => this.dispatchEvent(new Event("own"))}>${icons[icon]} ${example || isBlank(doc.given[doc.task]) ? instead : again}</button>
     `;
   }
 
   private going(): TemplateResult {
-    const { phase } = this.state;
-    const fitting = phase === "running" || phase === "paused";
+    const { studio, state } = this;
+    const paused = state.phase === "paused";
     return html`
-      <button class="pause" ?disabled=${!fitting} @click=${() => this.studio.pause()}>
-        ${phase === "paused" ? html`${icons.run} <span>Go on</span>` : html`${icons.pause} <span>Pause</span>`}
+      <button class="pause" ?disabled=${!studio.can(pause)} @click=${() => studio.act(pause)}>
+        ${paused ? icons.run : icons.pause} <span>${pause.says!(state)}</span>
       </button>
-      <button class="pause stop" ?disabled=${phase === "finishing"} aria-label="Stop" title="Stop and keep the best so far" @click=${this.stop}>
-        ${icons.stop} <span>Stop</span>
+      <button class="pause stop" ?disabled=${!studio.can(stop)} aria-label=${stop.label} title="Stop and keep the best so far" @click=${this.stop}>
+        ${icons.stop} <span>${stop.label}</span>
       </button>
-      <button ?disabled=${!fitting} aria-label="Step" title="One step, then pause" @click=${() => this.studio.step()}>${icons.step} <span>Step</span></button>
-      <button ?disabled=${phase === "finishing"} aria-label="Reset" title="Give the run up and go back to before it" @click=${() => this.studio.reset()}>
-        ${icons.reset} <span>Reset</span>
+      <button ?disabled=${!studio.can(step)} aria-label=${step.label} title="One step, then pause" @click=${() => studio.act(step)}>${icons.step} <span>${step.label}</span></button>
+      <button ?disabled=${!studio.can(reset)} aria-label=${reset.label} title="Give the run up and go back to before it" @click=${() => studio.act(reset)}>
+        ${icons.reset} <span>${reset.label}</span>
       </button>
     `;
   }
@@ -190,7 +90,7 @@ export class RunPanel extends Part {
     const { phase, running, comparing, doc } = this.state;
     if (phase === "idle") return this.wordsAtRest();
     const words = phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : this.state.progress.words;
-    if (running !== null && running !== doc.job) return `${JOB_WORDS[running]}: ${words}`;
+    if (running !== null && running !== doc.task) return `${this.named(running).page.tab}: ${words}`;
     return comparing ? `Loose strokes, to compare: ${words}` : words;
   }
 
@@ -198,9 +98,8 @@ export class RunPanel extends Part {
     const { said, doc } = this.state;
     if (said) return said;
     if (showsExample(this.state)) return "An example. Nothing leaves this device.";
-    if (doc.job === "fill" && given(this.state) === 0) return "A wire needs a shape to cover.";
-    if (doc.job === "stroke" && given(this.state) === 0) return "A wire needs a picture.";
-    if (doc.job === "multiview" && given(this.state) < 2) return "A wire needs at least two drawings.";
+    const { suffices, words } = this.task;
+    if (!suffices(doc.given[doc.task])) return words.needs;
     return "Ready. Nothing leaves this device.";
   }
 
@@ -221,17 +120,6 @@ export class RunPanel extends Part {
 
   /** It comes to lie where Run was: the second click of two is still meant for that. */
   private readonly stop = ({ detail: clicks }: MouseEvent): void => {
-    if (clicks < 2) this.studio.stop();
+    if (clicks < 2) this.studio.act(stop);
   };
-
-  private readonly draw = (): void => {
-    if (given(this.state) > 0) this.studio.startOver();
-    this.dispatchEvent(new Event("draw"));
-  };
-}
-
-/** How many of what the job wants are there. */
-function given({ doc }: StudioState): number {
-  if (doc.job === "fill") return Number(doc.cover !== null);
-  return doc.job === "stroke" ? Number(doc.subject !== null) : Object.values(doc.papers).filter(Boolean).length;
 }

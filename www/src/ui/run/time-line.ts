@@ -1,6 +1,7 @@
 import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { RunEvent, Snapshot } from "../../engine/protocol";
+import { continueFrom, lookAt } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
 import { count } from "../../state/common/count";
 import { eventWords } from "../../view/event-words";
@@ -127,9 +128,7 @@ export class TimeLine extends Part {
   ];
 
   override render() {
-    const { track, looking, running, doc } = this.state;
-    // One run at a time: what was made here waits for one of the other job.
-    const elsewhere = running !== null && running !== doc.job;
+    const { track, looking } = this.state;
     const snapshots = track?.snapshots ?? [];
     if (!track || snapshots.length < 2) {
       return html`<div class="all"><p class="hint small quiet">When a run is on, its way here shows: go back to any wire, and on from there.</p></div>`;
@@ -164,8 +163,8 @@ export class TimeLine extends Part {
         />
       </div>
       <div class="acts">
-        <button ?disabled=${looking === null || elsewhere} @click=${() => looking !== null && void this.studio.continueFrom(looking)}>Go on from here</button>
-        <button ?disabled=${looking === null} @click=${() => this.studio.lookAt(null)}>${icons.newest} Newest</button>
+        <button ?disabled=${looking === null || !this.studio.can(continueFrom)} @click=${() => looking !== null && this.studio.act(continueFrom, looking)}>${continueFrom.label}</button>
+        <button ?disabled=${looking === null} @click=${() => this.studio.act(lookAt, null)}>${icons.newest} Newest</button>
       </div>
     </div>`;
   }
@@ -206,7 +205,7 @@ export class TimeLine extends Part {
   };
 
   private look(index: number): void {
-    this.studio.lookAt(index >= this.snapshots.length - 1 ? null : index);
+    this.studio.act(lookAt, index >= this.snapshots.length - 1 ? null : index);
   }
 
   private get snapshots(): readonly Snapshot[] {

@@ -1,5 +1,6 @@
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
+import { compare } from "../../state/actions/actions";
 import { deskOf, type Made, type Studio, type StudioState } from "../../state/studio";
 import { percent } from "../../state/common/words";
 import { count } from "../../state/common/count";
@@ -69,17 +70,22 @@ export class WireComparison extends Part {
   ];
 
   override render() {
-    const { doc, phase, comparing, running } = this.state;
+    const { doc, comparing, running } = this.state;
     const { made, loose } = deskOf(doc);
     const both = made && loose ? ([made, loose] as const) : null;
     return html`
       <h2>Wire or loose strokes</h2>
-      <p class="small quiet">${both ? compared(...both) : "What does it cost to be in one piece? The same once more, in strokes that need not touch."}</p>
-      <button ?disabled=${phase !== "idle"} @click=${() => void this.studio.compare()}>
-        ${comparing && running === doc.job ? "Laying loose strokes…" : loose ? "Compare once more" : "Compare with loose strokes"}
+      <p class="small quiet">${both ? compared(...both, this.views) : "What does it cost to be in one piece? The same once more, in strokes that need not touch."}</p>
+      <button ?disabled=${!this.studio.can(compare)} @click=${() => this.studio.act(compare)}>
+        ${comparing && running === doc.task ? "Laying loose strokes…" : loose ? "Compare once more" : compare.label}
       </button>
       ${both ? this.table(both) : nothing}
     `;
+  }
+
+  /** How many views have a picture to be like. */
+  private get views(): number {
+    return this.studio.task().compared.length;
   }
 
   private table(both: readonly [Made, Made]) {
@@ -103,7 +109,7 @@ export class WireComparison extends Part {
       </thead>
       <tbody>
         ${pictures("Front", "from the front")} ${pictures("Turned", "turned to the right and seen from above")}
-        ${row("Match", (made) => shareOf(meanMatch(made)))} ${row("Pieces", ({ finished }) => count(finished.measures.components))}
+        ${row("Match", (made) => shareOf(meanMatch(made, this.views)))} ${row("Pieces", ({ finished }) => count(finished.measures.components))}
         ${row("To join", (made) => (gapOf(made) > 0 ? `${percentOf(gapOf(made))} more wire` : "nothing"))}
         ${row("Points", ({ finished }) => count(finished.measures.control_points))}
       </tbody>

@@ -2,14 +2,13 @@ import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../../engine/protocol";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
-import { solidName } from "../../tasks/fill/given";
-import { labelsOf } from "../../state/keeping/track";
 import { viewWords } from "../../view/heading";
 import { Part } from "../../view/part";
 import { download } from "./download";
 import { fileStem } from "./file-name";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
+import type { PageTask } from "../shared/page-task";
 import { controls } from "../shared/shared";
 
 interface FileKind {
@@ -34,6 +33,7 @@ const MORE: readonly FileKind[] = [
 export class SavePanel extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
+  @property({ attribute: false }) task!: PageTask;
   /** Takes the picture of the stage. */
   @property({ attribute: false }) picture!: () => Promise<Blob>;
   /** The link, where the clipboard is not to be had. */
@@ -139,13 +139,9 @@ export class SavePanel extends Part {
 
   private carried(): string {
     const { doc, planned } = this.state;
-    const wire = "The link carries the whole wire; no server keeps it.";
-    if (doc.job !== "fill") return wire;
-    const { solid, style = null } = doc.cover ?? {};
-    const mesh = solid && !("shape" in solid);
-    const picture = style !== null && typeof style !== "string";
-    const stays = mesh && picture ? "Your mesh and your picture stay" : mesh ? "Your mesh stays" : picture ? "Your picture stays" : "";
-    return [planned && deskOf(doc).made ? "All of these are of the wire that was made last." : "", wire, stays && `${stays} on this device.`].filter(Boolean).join(" ");
+    const stays = this.task.stays?.(doc.given[doc.task]);
+    const last = planned && deskOf(doc).made ? "All of these are of the wire that was made last." : "";
+    return [last, "The link carries the whole wire; no server keeps it.", stays].filter(Boolean).join(" ");
   }
 
   async copyLink(): Promise<void> {
@@ -195,8 +191,8 @@ export class SavePanel extends Part {
   private keep(blob: Blob, ending: string): void {
     const { doc } = this.state;
     const { made } = deskOf(doc);
-    const given = doc.job === "fill" ? [doc.cover ? solidName(doc.cover.solid) : ""] : doc.job === "stroke" ? [doc.subject?.picture.name ?? ""] : Object.values(doc.papers).map((paper) => paper?.label ?? "");
-    const labels = made?.track ? labelsOf(made.track) : made?.source === "example" ? given : [];
+    const given = made?.track?.given ?? (made?.source === "example" ? doc.given[doc.task] : this.task.blank);
+    const labels = this.task.labels(given);
     const name = fileStem(labels) + ending;
     download(blob, name);
     this.studio.say(`Saved ${name}`);

@@ -1,6 +1,7 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow, SettingsTable, SettingValues } from "../../engine/protocol";
+import { setWhenHidden } from "../../state/actions/actions";
 import { ANYWHERE, INSTEAD, WHEN_HIDDEN, type Studio, type Whereabouts, type WhenHidden } from "../../state/studio";
 import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
@@ -9,7 +10,7 @@ import "./setting-control";
 import { GROUPS, WORDS } from "./setting-words";
 import { controls } from "../shared/shared";
 import { deviceOf } from "./device-words";
-import { presetOf } from "../../state/address/fragment";
+import { presetOf } from "../../state/settings/values";
 import { rendererWord } from "../../state/address/renderer";
 
 /** The first two stand beside Run; ink is found pad by pad, and an object is chosen where it is seen. */
@@ -140,7 +141,7 @@ export class SettingsPanel extends Part {
       data-setting=${HIDDEN_ROW.name}
       .row=${HIDDEN_ROW}
       .value=${this.whenHidden}
-      @choose=${(event: CustomEvent<WhenHidden>) => this.studio.setWhenHidden(event.detail)}
+      @choose=${(event: CustomEvent<WhenHidden>) => this.studio.act(setWhenHidden, event.detail)}
     ></setting-control>`;
   }
 

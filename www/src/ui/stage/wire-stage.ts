@@ -6,51 +6,18 @@ import { LOOK_NAMES, lookOf, type LookName } from "../../embed/looks";
 import type { Vec3 } from "../../embed/matrix";
 import type { WireShape } from "../../embed/shape";
 import { Stage, StageUnavailable, type Vantage, type ViewName } from "../../embed/stage";
-import type { Job } from "../../engine/protocol";
-import { nextTask } from "../../state/common/next-turn";
+import { nextTurn } from "../../state/common/next-turn";
 import type { Heading } from "../../view/heading";
 import { Part } from "../../view/part";
+import type { StageWords } from "../shared/page-task";
 import { controls } from "../shared/shared";
 import { isDark } from "../shared/theme";
 
-const VIEWS: Readonly<Record<Job, readonly ViewName[]>> = {
-  multiview: ["room", "front", "side", "top"],
-  stroke: ["room", "front", "side", "top"],
-  fill: ["room", "front", "right", "back", "left", "top"],
-};
 const LOOK_WORDS: Readonly<Record<LookName, string>> = {
   copper: "Copper",
   steel: "Black steel",
   parameter: "Along the wire",
   width: "By width",
-};
-const VIEW_WORDS: Readonly<Record<Job, Readonly<Partial<Record<ViewName, string>>>>> = {
-  multiview: {
-    room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
-    front: "Seen straight from the front, where the wire shows the first drawing.",
-    side: "Seen straight from the side, where the wire shows the second drawing.",
-    top: "Seen straight from above, where the wire shows the third drawing.",
-  },
-  stroke: {
-    room: "The wire hangs in the corner of a room. Its shadow on the back wall is the picture.",
-    front: "Seen straight from the front, where the wire shows the picture.",
-    side: "Seen straight from the side.",
-    top: "Seen straight from above.",
-  },
-  fill: {
-    room: "The wire covers the shape, in the corner of a room.",
-    front: "Seen straight from the front.",
-    right: "Seen straight from the right.",
-    back: "Seen straight from behind.",
-    left: "Seen straight from the left.",
-    top: "Seen straight from above.",
-  },
-};
-/** Where the camera goes when a wire is done: from picture to picture, or once round. */
-const TOURS: Readonly<Record<Job, readonly Vantage[]>> = {
-  multiview: ["front", "side", "top", "room"],
-  stroke: ["front", from(45, 10), from(135, 10), from(225, 10), from(315, 10), "front", "room"],
-  fill: ["front", from(60, 15), from(120, 15), from(180, 15), from(240, 15), from(300, 15), "front", "room"],
 };
 function from(azimuth: number, elevation: number): Vantage {
   return { azimuthRad: (azimuth * Math.PI) / 180, elevationRad: (elevation * Math.PI) / 180 };
@@ -81,8 +48,8 @@ interface ButtonState {
  */
 @customElement("wire-stage")
 export class WireStage extends Part {
-  /** What the wire is of. */
-  @property() job: Job = "multiview";
+  /** What there is to see of the wire. */
+  @property({ attribute: false }) words!: StageWords;
   @property() look: LookName = "copper";
   /** Off: the wire alone. */
   @property({ type: Boolean }) room = true;
@@ -300,14 +267,14 @@ export class WireStage extends Part {
       )}
       <div class="ring"></div>
       ${this.lost ? html`<p class="lost" role="status">The graphics card is busy elsewhere. The picture comes back by itself.</p>` : nothing}
-      <p id="view" class="unseen">${(this.named && VIEW_WORDS[this.job][this.named]) ?? "Turned by hand."}</p>
+      <p id="view" class="unseen">${(this.named && this.words.views[this.named]) ?? "Turned by hand."}</p>
       <p id="keys" class="unseen">
-        Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the ${this.job === "fill" ? "right" : "side"} and
+        Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the ${this.views.includes("side") ? "side" : "right"} and
         the top, F the whole room.
       </p>
       <div class="bar">
-        <div class="group views ${VIEWS[this.job].length > 4 ? "many" : ""}" role="group" aria-label="Look from">
-          ${VIEWS[this.job].map(
+        <div class="group views ${this.views.length > 4 ? "many" : ""}" role="group" aria-label="Look from">
+          ${this.views.map(
             (view) => html`<button aria-pressed=${String(view === this.named)} @click=${() => this.take(() => this.flyTo(view))}>${view}</button>`,
           )}
         </div>
@@ -326,16 +293,21 @@ export class WireStage extends Part {
               ${LOOK_NAMES.map((look) => html`<option value=${look} .selected=${look === this.look}>${LOOK_WORDS[look]}</option>`)}
             </select>
             ${this.square("room", "Room with the shadows", this.toggleRoom, { pressed: this.room })}
-            ${this.job === "fill" ? this.square("far", "Lines on the far side", () => this.tell("see-through"), { pressed: this.through }) : nothing}
+            ${this.words.farSide ? this.square("far", "Lines on the far side", () => this.tell("see-through"), { pressed: this.through }) : nothing}
           </div>
         </div>
       </div>
     `;
   }
 
-  /** The view by the name of its button: here the right is a side. */
+  /** Those with a button. */
+  private get views(): readonly ViewName[] {
+    return Object.keys(this.words.views) as ViewName[];
+  }
+
+  /** The view by the name of its button: the right may be a side. */
   private get named(): ViewName | null {
-    return this.job === "fill" && this.view === "side" ? "right" : this.view;
+    return this.view === "side" && !this.views.includes("side") ? "right" : this.view;
   }
 
   private square(name: keyof typeof ICONS, label: string, action: () => void, { pressed, expanded }: ButtonState = {}): TemplateResult {
@@ -380,7 +352,7 @@ export class WireStage extends Part {
 
   /** Shows a wire that is done from all there is to see of it, and goes back to the room; ends when somebody takes hold. */
   tour(): void {
-    this.stage?.tour(TOURS[this.job]);
+    this.stage?.tour(this.words.tour.map((stop) => (typeof stop === "string" ? stop : from(stop.azimuth, stop.elevation))));
   }
 
   /** A PNG of what the stage shows. */
@@ -403,7 +375,7 @@ export class WireStage extends Part {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    if (!this.stage && !this.problem && this.isConnected) void nextTask().then(() => this.start());
+    if (!this.stage && !this.problem && this.isConnected) void nextTurn().then(() => this.start());
     else if (changed.has("look") || changed.has("room")) this.relook();
     if (changed.has("body")) this.stage?.setBody(this.body);
     if (changed.has("through")) this.stage?.seeThrough(this.through);

@@ -1,13 +1,14 @@
 /** A place for the elements of one picture, with as much of an app round them as they need. */
 
 import { html, render } from "lit";
-import type { FoundObject, Pixels } from "../../../src/engine/protocol";
+import type { Pixels } from "../../../src/engine/protocol";
+import type { FoundObject } from "../../../src/tasks/stroke/protocol";
 import { readPicture } from "../../../src/state/picture/picture";
 import type { MaskStroke, Subject } from "../../../src/tasks/stroke/given";
 import "../../../src/styles.css";
 import { startTheme } from "../../../src/ui/shared/theme";
 import "../../../src/tasks/stroke/parts/mask-editor";
-import type { Given } from "../../../src/tasks/stroke/parts/subject-events";
+import type { Brought } from "../../../src/tasks/stroke/parts/subject-events";
 import "../../../src/tasks/stroke/parts/subject-pad";
 import "./place.css";
 
@@ -37,7 +38,7 @@ function step(from: Doc[], to: Doc[]): void {
   place.subject = doc.subject;
 }
 
-async function give({ file, name }: Given): Promise<void> {
+async function give({ file, name }: Brought): Promise<void> {
   problem = "";
   place.busy = true;
   draw();
@@ -95,7 +96,7 @@ function find({ width: fullWidth, height: fullHeight, rgba }: Pixels, object: nu
 
 const acts: Readonly<Record<string, (detail: never) => unknown>> = {
   give,
-  "give-depth": async ({ file, name }: Given) => {
+  "give-depth": async ({ file, name }: Brought) => {
     const { width, height, rgba } = await readPicture(file, name);
     edit({ ...place.subject!, depth: { name, width, height, rgba: new Blob([rgba]) } });
   },

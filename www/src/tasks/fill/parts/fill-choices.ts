@@ -1,6 +1,8 @@
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { Studio, StudioState } from "../../../state/studio";
+import { givenFor, passingOf } from "../../../state/contract/state";
+import { fill } from "../task";
+import { deskOf, type Studio, type StudioState } from "../../../state/studio";
 import { percent } from "../../../state/common/words";
 import { Part } from "../../../view/part";
 import { WORDS } from "../../../ui/settings/setting-words";
@@ -101,8 +103,8 @@ export class FillChoices extends Part {
   ];
 
   override render() {
-    const { covering, doc } = this.state;
-    const styled = doc.cover?.style != null;
+    const { covering } = passingOf(this.state, fill);
+    const styled = givenFor(this.state, fill)?.style != null;
     const busy = covering !== null;
     return html`<div class="all">
       ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "needs a style")}
@@ -115,13 +117,13 @@ export class FillChoices extends Part {
   }
 
   protected override updated(): void {
-    this.style.setProperty("--share", String(this.state.covering ?? 0));
+    this.style.setProperty("--share", String(passingOf(this.state, fill).covering ?? 0));
   }
 
   private words(): string {
-    const { planned, restyled, curve, doc, phase } = this.state;
+    const { planned, restyled, doc, phase } = this.state;
     if (phase !== "idle") return "";
-    if (planned) return !curve ? "" : doc.desks.fill.made ? "Shown as they would run now." : "Shown as they will run.";
+    if (planned) return !passingOf(this.state, fill).curve ? "" : deskOf(doc).made ? "Shown as they would run now." : "Shown as they will run.";
     return restyled ? "Cover it again to see that." : "";
   }
 

@@ -1,7 +1,7 @@
 /** The shapes by formula, as small drawings: clay with a few lines of the wire. */
 
 import { html, svg, type TemplateResult } from "lit";
-import type { ShapeName } from "../../../engine/protocol";
+import type { ShapeName } from "../protocol";
 
 type Point = readonly [x: number, y: number];
 

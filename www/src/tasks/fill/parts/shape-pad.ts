@@ -1,7 +1,9 @@
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Up } from "../../../engine/protocol";
-import { SHAPES, solidKey, solidName } from "../given";
+import { givenFor, passingOf } from "../../../state/contract/state";
+import { meshKey, meshName } from "../given";
+import { SHAPES, type Up } from "../protocol";
+import { fill } from "../task";
 import type { Studio, StudioState } from "../../../state/studio";
 import { asSentence } from "../../../state/common/words";
 import { count } from "../../../state/common/count";
@@ -100,7 +102,7 @@ export class ShapePad extends Part {
         margin: 6px 0 0;
         padding: 8px;
         padding-inline-end: 0;
-        border: 1px solid var(--error);
+        border: 1px mesh var(--error);
         border-radius: 6px;
         background: var(--raised);
         color: var(--error);
@@ -126,30 +128,32 @@ export class ShapePad extends Part {
   protected override willUpdate(changed: PropertyValues<this>): void {
     const before = changed.get("state") as StudioState | undefined;
     // The same may go wrong twice.
-    if (before && (before.dressing !== this.state.dressing || before.coverProblem !== this.state.coverProblem)) this.readProblem = "";
+    if (!before) return;
+    const [was, is] = [passingOf(before, fill), passingOf(this.state, fill)];
+    if (was.busy !== is.busy || was.problem !== is.problem || was.coverProblem !== is.coverProblem) this.readProblem = "";
   }
 
   override render() {
-    const { doc, dressing, phase, coverProblem } = this.state;
-    const solid = doc.cover?.solid ?? null;
-    const locked = phase !== "idle";
-    const own = solid && !("shape" in solid);
-    const problem = dressing.problem || coverProblem;
+    const { busy, problem: padProblem, coverProblem } = passingOf(this.state, fill);
+    const mesh = givenFor(this.state, fill)?.mesh ?? null;
+    const locked = this.state.phase !== "idle";
+    const own = mesh && !("shape" in mesh);
+    const problem = padProblem || coverProblem;
     return html`
       <h2 id="shape">Shape</h2>
-      <fieldset class="tiles" aria-labelledby="shape" aria-busy=${dressing.busy}>
+      <fieldset class="tiles" aria-labelledby="shape" aria-busy=${busy}>
         ${tiles(
           "shape",
-          SHAPES.map((value) => ({ value, words: solidName({ shape: value }), picture: shapeIcon(value) })),
-          solid && solidKey(solid),
+          SHAPES.map((value) => ({ value, words: meshName({ shape: value }), picture: shapeIcon(value) })),
+          mesh && meshKey(mesh),
           locked,
-          (value) => this.studio.dressing.shape(value as (typeof SHAPES)[number]),
+          (value) => this.studio.taker(fill).shape(value as (typeof SHAPES)[number]),
         )}
-        <button id="open" class=${own ? "chosen" : ""} title=${own ? `${solid.name}. Open another mesh` : "Open a mesh: OBJ, STL, PLY, 3MF, GLB or glTF"} ?disabled=${locked} @click=${this.openFile}>
-          <span class="picture">${icons.open}</span><span class="words"><span class="unseen">Open a mesh: </span>${own ? solid.name : "Your mesh…"}</span>
+        <button id="open" class=${own ? "chosen" : ""} title=${own ? `${mesh.name}. Open another mesh` : "Open a mesh: OBJ, STL, PLY, 3MF, GLB or glTF"} ?disabled=${locked} @click=${this.openFile}>
+          <span class="picture">${icons.open}</span><span class="words"><span class="unseen">Open a mesh: </span>${own ? mesh.name : "Your mesh…"}</span>
         </button>
       </fieldset>
-      ${own ? this.upright(solid.up ?? "y", locked) : nothing}
+      ${own ? this.upright(mesh.up ?? "y", locked) : nothing}
       ${problem && problem !== this.readProblem
         ? html`<div class="problem small" role="alert">
             <span>${problem}</span>
@@ -169,7 +173,7 @@ export class ShapePad extends Part {
   private upright(up: Up, locked: boolean) {
     return html`<label class="up small">
       Up in this file
-      <select ?disabled=${locked} @change=${(event: Event) => this.studio.dressing.turn((event.target as HTMLSelectElement).value as Up)}>
+      <select ?disabled=${locked} @change=${(event: Event) => this.studio.taker(fill).turn((event.target as HTMLSelectElement).value as Up)}>
         ${Object.entries(UPS).map(([value, words]) => html`<option value=${value} .selected=${value === up}>${words}</option>`)}
       </select>
     </label>`;
@@ -177,9 +181,9 @@ export class ShapePad extends Part {
 
   /** One line or two, always there: nothing jumps when they are filled. */
   private line() {
-    const { doc, dressing, surface } = this.state;
-    if (dressing.busy) return "Reading…";
-    if (!doc.cover) return "Choose one, or drop a mesh: OBJ, STL, PLY, 3MF, GLB or glTF.";
+    const { busy, surface } = passingOf(this.state, fill);
+    if (busy) return "Reading…";
+    if (!givenFor(this.state, fill)) return "Choose one, or drop a mesh: OBJ, STL, PLY, 3MF, GLB or glTF.";
     if (!surface) return nothing;
     const { triangles, notes } = surface;
     const words = [`${count(triangles)} triangles.`, ...notes.map(asSentence)].join(" ");
@@ -188,6 +192,6 @@ export class ShapePad extends Part {
 
   private readonly chosen = (event: Event): void => {
     const file = chosenFile(event);
-    if (file) void this.studio.dressing.open(file, file.name || "the mesh");
+    if (file) void this.studio.taker(fill).open(file, file.name || "the mesh");
   };
 }

@@ -1,6 +1,8 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import type { PatternName } from "../given";
+import { givenFor } from "../../../state/contract/state";
+import type { PatternName } from "../protocol";
+import { fill } from "../task";
 import type { Studio, StudioState } from "../../../state/studio";
 import { pageColours } from "../../../view/colours";
 import { paintInk } from "../../../view/paint";
@@ -71,9 +73,9 @@ export class StyleShelf extends Part {
   ];
 
   override render() {
-    const { doc, phase } = this.state;
-    const style = doc.cover?.style ?? null;
-    const locked = phase !== "idle" || !doc.cover;
+    const cover = givenFor(this.state, fill);
+    const style = cover?.style ?? null;
+    const locked = this.state.phase !== "idle" || !cover;
     const own = style !== null && typeof style !== "string" ? style : null;
     const patterns = Object.entries(PATTERN_WORDS).map(([value, words]) => ({
       value,
@@ -85,7 +87,7 @@ export class StyleShelf extends Part {
       <h2 id="style">Style</h2>
       <fieldset class="tiles" aria-labelledby="style">
         ${tiles("style", [none, ...patterns], own ? null : (style as PatternName | null) ?? NONE, locked, (value) =>
-          this.studio.dressing.pattern(value === NONE ? null : (value as PatternName)),
+          this.studio.taker(fill).pattern(value === NONE ? null : (value as PatternName)),
         )}
         <button id="own" class=${own ? "chosen" : ""} ?disabled=${locked} @click=${() => this.file.click()}>
           ${icons.picture}<span class="words" title=${own ? own.name : nothing}>${own ? own.name : "Your own picture…"}</span>
@@ -110,13 +112,13 @@ export class StyleShelf extends Part {
   /** The styles' own pictures; where the core cannot be had that is said elsewhere, and the words are there. */
   private async paint(): Promise<void> {
     for (const canvas of this.renderRoot.querySelectorAll<HTMLCanvasElement>("canvas[data-pattern]")) {
-      const ink = await this.studio.pattern(canvas.dataset["pattern"] as PatternName).catch(() => null);
+      const ink = await this.studio.taker(fill).patternPicture(canvas.dataset["pattern"] as PatternName).catch(() => null);
       if (ink) paintInk(canvas, ink, pageColours().ink, 0.85);
     }
   }
 
   private readonly chosen = (event: Event): void => {
     const file = chosenFile(event);
-    if (file) void this.studio.dressing.picture(file, file.name || "the picture");
+    if (file) void this.studio.taker(fill).picture(file, file.name || "the picture");
   };
 }

@@ -1,26 +1,11 @@
 /** A pad's drawing: layers of ink on a square sheet, and what may be done to it. Immutable: every change is a new sheet. */
 
-import type { Drawing, FoundInk, Reading } from "../../../engine/protocol";
-import { laid, laidPoints, over, quarters, stroke, thinned } from "../../../state/picture/ink";
+import type { KeptPicture } from "../../../state/picture/picture";
+import type { Drawing, FoundInk, Reading } from "../protocol";
+import { laid, laidPoints, over, quarters, stroke, thinned, type Lay, type PenLine } from "../../../state/picture/ink";
 
 /** Side of a sheet, px; y down. */
 export const PAPER_PX = 512;
-
-/** Mirrored left to right first, then turned counter-clockwise by quarters. */
-export interface Lay {
-  readonly mirrored: boolean;
-  readonly quarterTurns: number;
-}
-
-/** A picture to find ink in once more. */
-export interface KeptPicture {
-  readonly name: string;
-  readonly width: number;
-  readonly height: number;
-  /** RGBA, as a blob: keeping it costs next to nothing. */
-  readonly rgba: Blob;
-  readonly measured?: boolean;
-}
 
 /** A picture and the ink the core found in it, fitted onto a sheet. */
 export interface PictureLayer {
@@ -39,12 +24,8 @@ export interface StampLayer {
 }
 
 /** A stroke of the pen, or of the eraser over everything below it. */
-export interface StrokeLayer {
+export interface StrokeLayer extends PenLine {
   readonly kind: "stroke";
-  readonly erase: boolean;
-  readonly widthPx: number;
-  /** x, y, x, y, … in px of the sheet. */
-  readonly points: Float32Array<ArrayBuffer>;
 }
 
 export type Layer = PictureLayer | StampLayer | StrokeLayer;

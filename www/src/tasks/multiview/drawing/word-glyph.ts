@@ -1,7 +1,6 @@
 /** Ink out of written glyphs: letters as they are; what brings its own colours, such as emoji, as a line drawing. */
 
-import type { StrokeLayer } from "./paper";
-import { stroke } from "../../../state/picture/ink";
+import { stroke, type PenLine } from "../../../state/picture/ink";
 
 type Rgba = Uint8ClampedArray;
 
@@ -49,7 +48,7 @@ function drawOutlines(ink: Uint8Array<ArrayBuffer>, rgba: Rgba, coloured: Uint8A
     const light = 0.299 * channels[0]![i]! + 0.587 * channels[1]![i]! + 0.114 * channels[2]![i]!;
     ink[i] = Math.max(ink[i]!, Math.min(255, Math.max(0, (DARK - light) * 8)));
   }
-  const dot: Pick<StrokeLayer, "points" | "widthPx" | "erase"> = { points: new Float32Array(2), widthPx: LINE_PX, erase: false };
+  const dot: PenLine = { points: new Float32Array(2), widthPx: LINE_PX, erase: false };
   for (const i of outlines(channels.map((plane) => blurred(plane, side)), side)) {
     dot.points[0] = (i % side) + 0.5;
     dot.points[1] = Math.floor(i / side) + 0.5;

@@ -1,10 +1,13 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { DrawingPreview, Ink } from "../../../engine/protocol";
-import { SLOTS, type Slot } from "../../../state/keeping/document";
+import type { Ink } from "../../../engine/protocol";
+import { givenFor, passingOf } from "../../../state/contract/state";
+import { SLOTS, type Slot } from "../given";
+import { movedBy } from "../placement";
+import { multiview } from "../task";
 import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../drawing/paper";
 import type { Studio, StudioState } from "../../../state/studio";
-import { percent, placement } from "../../../state/common/words";
+import { percent } from "../../../state/common/words";
 import { Part } from "../../../view/part";
 import { icons } from "../../../ui/shared/icons";
 import "./ink-canvas";
@@ -24,9 +27,6 @@ export const FIRST_PEN: Pen = { erase: false, widthPx: 16 };
 export const AS_GOOD_AS_ALL = 0.985;
 
 export const titled = (slot: Slot): string => slot.charAt(0).toUpperCase() + slot.slice(1);
-
-/** Where arranging took a drawing, as a short aside: "from the top, mirrored". */
-export const movedBy = (slot: Slot, preview: DrawingPreview): string => placement(slot, preview).replace(/^Seen f/, "F").replace(/\.$/, "").toLowerCase();
 
 /** The paper's ink as an image. */
 export const inkOf = (paper: Paper): Ink => ({ width: PAPER_PX, height: PAPER_PX, ink: compose(paper) });
@@ -269,7 +269,7 @@ export class DrawingPad extends Part {
   ];
 
   private get paper(): Paper | null {
-    return this.state.doc.papers[this.slotName];
+    return givenFor(this.state, multiview)[this.slotName];
   }
 
   private get locked(): boolean {
@@ -278,8 +278,9 @@ export class DrawingPad extends Part {
 
   override render() {
     const { state, slotName, paper, locked } = this;
-    const { busy, problem } = state.pads[slotName];
-    const preview = paper ? state.preview?.drawings[slotName] : undefined;
+    const { pads, preview: previewed } = passingOf(state, multiview);
+    const { busy, problem } = pads[slotName];
+    const preview = paper ? previewed?.drawings[slotName] : undefined;
     const moved = preview ? movedBy(slotName, preview) : "";
     const name = titled(slotName);
     return html`
@@ -348,7 +349,7 @@ export class DrawingPad extends Part {
 
   /** One line, always there: nothing jumps when it is filled. */
   private line(coverable: number | undefined) {
-    const { busy, note } = this.state.pads[this.slotName];
+    const { busy, note } = passingOf(this.state, multiview).pads[this.slotName];
     if (busy) return html`<span>Reading…</span>`;
     if (coverable !== undefined && coverable < AS_GOOD_AS_ALL) {
       return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">of it can be </span>shown</span>`;
@@ -364,29 +365,30 @@ export class DrawingPad extends Part {
   }
 
   private menuItems() {
-    const { studio, slotName, paper } = this;
+    const { studio, slotName, paper, state } = this;
+    const pads = studio.taker(multiview);
     const picture = pictureIn(paper);
     const item = (words: string, icon: unknown, act: () => void, off = !paper) =>
       html`<button role="menuitem" tabindex="-1" ?disabled=${off} @click=${act}>${icon}<span>${words}</span></button>`;
     const invert = (): void => {
       const dark = picture!.found.polarity === "dark";
-      void studio.pads.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
+      void pads.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
     };
     return html`
       ${item("Draw, type or take an icon", icons.pencil, () => this.edit("draw"), false)}
       ${item("Choose a picture", icons.picture, () => this.input.click(), false)}
       <hr role="separator" />
-      ${item("Mirror", icons.mirror, () => studio.pads.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => studio.pads.turn(slotName, 1))}
-      ${item("Turn right", icons.turnRight, () => studio.pads.turn(slotName, 3))}
+      ${item("Mirror", icons.mirror, () => pads.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => pads.turn(slotName, 1))}
+      ${item("Turn right", icons.turnRight, () => pads.turn(slotName, 3))}
       ${SLOTS.filter((other) => other !== slotName).map((other) =>
-        item(`Swap with ${other}`, icons.swap, () => studio.pads.swap(slotName, other), !paper && !this.state.doc.papers[other]),
+        item(`Swap with ${other}`, icons.swap, () => pads.swap(slotName, other), !paper && !givenFor(state, multiview)[other]),
       )}
       ${picture
         ? html`<hr role="separator" />
             ${item("Swap ink and ground", icons.invert, invert)} ${item("Set how dark ink is", icons.settings, () => this.edit("picture"))}`
         : nothing}
       <hr role="separator" />
-      ${item("Clear", icons.clear, () => studio.pads.clear(slotName))}
+      ${item("Clear", icons.clear, () => pads.clearPad(slotName))}
     `;
   }
 
@@ -402,11 +404,11 @@ export class DrawingPad extends Part {
   }
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
-    this.studio.pads.set(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
+    this.studio.taker(multiview).set(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
   }
 
   private give(file: File | undefined): void {
-    if (file && !this.locked) void this.studio.pads.give(this.slotName, file, file.name || "The picture");
+    if (file && !this.locked) void this.studio.taker(multiview).give(this.slotName, file, file.name || "The picture");
   }
 
   private chosen(event: Event): void {

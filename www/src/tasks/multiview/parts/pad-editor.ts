@@ -1,12 +1,17 @@
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Reading } from "../../../engine/protocol";
-import type { Slot } from "../../../state/keeping/document";
+import { redo, undo } from "../../../state/actions/actions";
+import { givenFor, passingOf } from "../../../state/contract/state";
+import type { Slot } from "../given";
+import type { Pads } from "../pads";
+import type { Reading } from "../protocol";
+import { movedBy } from "../placement";
+import { multiview } from "../task";
 import { withStamp, withStroke, type Paper, type StampLayer } from "../drawing/paper";
 import type { Studio, StudioState } from "../../../state/studio";
 import { FONTS, MOST_LETTERS, write, type Font, type Lettering } from "../drawing/word";
-import { NARROW } from "../../../ui/app/app-layout";
-import { FIRST_PEN, inkOf, movedBy, pictureIn, titled, type EditorTab } from "./drawing-pad";
+import { NARROW } from "../../../ui/shared/narrow";
+import { FIRST_PEN, inkOf, pictureIn, titled, type EditorTab } from "./drawing-pad";
 import { sheetAndTools } from "../../../ui/shared/editor-style";
 import "./icon-shelf";
 import type { TakenIcon } from "./icon-shelf";
@@ -58,7 +63,11 @@ export class PadEditor extends LitElement {
   static override styles = [controls, segmentedStyle, sheetAndTools];
 
   private get paper(): Paper | null {
-    return this.state.doc.papers[this.slot];
+    return givenFor(this.state, multiview)[this.slot];
+  }
+
+  private get pads(): Pads {
+    return this.studio.taker(multiview);
   }
 
   private get locked(): boolean {
@@ -105,7 +114,7 @@ export class PadEditor extends LitElement {
 
   override render() {
     const { state, slot, locked, draft } = this;
-    const preview = this.paper && !this.stamp ? state.preview?.drawings[slot] : undefined;
+    const preview = this.paper && !this.stamp ? passingOf(state, multiview).preview?.drawings[slot] : undefined;
     const seen = this.asSeen ? preview : undefined;
     const drawing = this.shownTab === "draw" && !locked && !seen;
     const nothingToErase = this.pen.erase && !this.paper;
@@ -122,7 +131,7 @@ export class PadEditor extends LitElement {
         <header>
           <h2 id="title">${titled(slot)} drawing</h2>
           <span class="moved small quiet">${preview ? movedBy(slot, preview) : ""}</span>
-          ${this.step("Undo", icons.undo, state.undo, () => this.studio.undo())} ${this.step("Redo", icons.redo, state.redo, () => this.studio.redo())}
+          ${this.step("Undo", icons.undo, state.undo, () => this.studio.act(undo))} ${this.step("Redo", icons.redo, state.redo, () => this.studio.act(redo))}
           <button class="primary" @click=${this.done}>Done</button>
         </header>
         <div class="body ${this.shownTab}">
@@ -195,7 +204,7 @@ export class PadEditor extends LitElement {
 
   private drawPanel() {
     const { pen } = this;
-    const preview = this.state.preview?.drawings[this.slot];
+    const preview = passingOf(this.state, multiview).preview?.drawings[this.slot];
     const setWidth = (event: Event): void => {
       const value = (event.target as HTMLInputElement).valueAsNumber;
       if (value >= WIDTH_PX.least && value <= WIDTH_PX.most) this.pen = { ...pen, widthPx: value };
@@ -228,7 +237,7 @@ export class PadEditor extends LitElement {
         />
         Show as the wire sees it
       </label>
-      <button ?disabled=${!this.paper} @click=${() => this.studio.pads.clear(this.slot)}>${icons.clear} Clear the sheet</button>
+      <button ?disabled=${!this.paper} @click=${() => this.pads.clearPad(this.slot)}>${icons.clear} Clear the sheet</button>
       <p class="small quiet fine">With keys: <kbd>Tab</kbd> to the sheet, arrows move, <kbd>Space</kbd> puts the pen down and lifts it.</p>
     `;
   }
@@ -282,7 +291,7 @@ export class PadEditor extends LitElement {
 
   private picturePanel() {
     const layer = pictureIn(this.paper);
-    const { busy, problem, note } = this.state.pads[this.slot];
+    const { busy, problem, note } = passingOf(this.state, multiview).pads[this.slot];
     const reading = this.reading ?? layer?.reading;
     const percentage = Math.round(100 * (reading?.threshold ?? 0));
     const setThreshold = (event: Event): void => {
@@ -329,7 +338,7 @@ export class PadEditor extends LitElement {
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
     const { pen, paper } = this;
-    this.studio.pads.set(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? "Erase" : "Draw a stroke");
+    this.pads.set(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? "Erase" : "Draw a stroke");
   }
 
   private type(text: string): void {
@@ -366,21 +375,21 @@ export class PadEditor extends LitElement {
     await this.writeWord();
     const { stamp, locked } = this;
     if (stamp && !locked && slot === this.slot) {
-      this.studio.pads.set(slot, withStamp(this.paper, stamp), `Write “${stamp.label}”`);
+      this.pads.set(slot, withStamp(this.paper, stamp), `Write “${stamp.label}”`);
       this.pending = false;
     }
     this.stamp = null;
   }
 
   private takeIcon({ detail: { name, ink } }: CustomEvent<TakenIcon>): void {
-    this.studio.pads.set(this.slot, withStamp(this.paper, { label: name, ink }), `Take the icon ${name}`);
+    this.pads.set(this.slot, withStamp(this.paper, { label: name, ink }), `Take the icon ${name}`);
   }
 
   private reread(reading: Reading): void {
     this.reading = reading;
     clearTimeout(this.resting);
     this.resting = setTimeout(async () => {
-      await this.studio.pads.reread(this.slot, reading);
+      await this.pads.reread(this.slot, reading);
       if (this.reading === reading) this.reading = null;
     }, REST_MS);
   }
@@ -389,7 +398,7 @@ export class PadEditor extends LitElement {
     if (!file || this.locked) return;
     this.forget();
     this.tab = "picture";
-    void this.studio.pads.give(this.slot, file, file.name || "The picture");
+    void this.pads.give(this.slot, file, file.name || "The picture");
   }
 
   private chosen(event: Event): void {

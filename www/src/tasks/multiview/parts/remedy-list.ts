@@ -1,11 +1,15 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { BendPreview } from "../../../engine/protocol";
+import { givenFor, passingOf } from "../../../state/contract/state";
+import type { Studio, StudioState } from "../../../state/studio";
+import { laidOut, SLOTS } from "../given";
 import type { PadRemedy, PreviewBySlot } from "../previewer";
-import { SLOTS, type Studio, type StudioState } from "../../../state/studio";
+import { movedBy } from "../placement";
+import { multiview } from "../task";
 import { percent } from "../../../state/common/words";
 import { Part } from "../../../view/part";
-import { AS_GOOD_AS_ALL, movedBy } from "./drawing-pad";
+import { AS_GOOD_AS_ALL } from "./drawing-pad";
 import { icons } from "../../../ui/shared/icons";
 import { controls } from "../../../ui/shared/shared";
 
@@ -118,8 +122,9 @@ export class RemedyList extends Part {
   ];
 
   override render() {
-    const { preview, previewBusy, previewProblem, doc, phase } = this.state;
-    const drawings = Object.values(doc.papers).filter(Boolean).length;
+    const { preview, previewBusy, previewProblem } = passingOf(this.state, multiview);
+    const { phase } = this.state;
+    const drawings = laidOut(givenFor(this.state, multiview)).length;
     if (drawings < 2) return this.only(drawings === 0 ? "Two or three drawings make a wire." : "One more drawing, and a wire can be made.");
     if (previewProblem) return html`<section aria-label=${NAME}><p class="small" role="alert">${previewProblem}</p></section>`;
     if (!preview) return this.only(previewBusy ? "Finding where the drawings agree…" : "");
@@ -155,7 +160,7 @@ export class RemedyList extends Part {
   private remedy(remedy: PadRemedy, now: number, locked: boolean): TemplateResult {
     const [words, icon] = asked(remedy);
     return html`<li>
-      <button class="small" ?disabled=${locked} @click=${() => this.studio.applyRemedy(remedy)}>
+      <button class="small" ?disabled=${locked} @click=${() => this.studio.taker(multiview).applyRemedy(remedy)}>
         ${icon}<span class="words">${words}</span>
         <span class="gain">${percent(now)} → <b>${percent(remedy.coverable)}</b></span>
       </button>

@@ -2,7 +2,7 @@ import { css, html, LitElement, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { remembered } from "../../../state/common/remember";
 import type { Brush, MaskStroke, Subject } from "../given";
-import { NARROW } from "../../../ui/app/app-layout";
+import { NARROW } from "../../../ui/shared/narrow";
 import { sheetAndTools } from "../../../ui/shared/editor-style";
 import { icons } from "../../../ui/shared/icons";
 import { segmented, segmentedStyle } from "../../../ui/shared/segmented";

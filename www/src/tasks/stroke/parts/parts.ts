@@ -1,3 +1,67 @@
+/** What the page shows of one picture. */
+
+import { html, type LitElement } from "lit";
+import { redo, undo } from "../../../state/actions/actions";
+import { givenFor, passingOf } from "../../../state/contract/state";
+import type { Page, TaskParts } from "../../../ui/shared/page-task";
+import { stroke } from "../task";
 import "./stroke-choices";
-import "./turned-views";
+import type { SubjectEvents } from "./subject-events";
 import "./subject-pad";
+import "./turned-views";
+
+type Told<Kind extends keyof SubjectEvents> = CustomEvent<SubjectEvents[Kind]>;
+
+const BRUSH = "brush";
+
+export const parts: TaskParts = {
+  pads({ studio, state, edit }) {
+    const taker = studio.taker(stroke);
+    const { busy, problem, note } = passingOf(state, stroke);
+    return html`<subject-pad
+      .subject=${givenFor(state, stroke)}
+      .busy=${busy}
+      .problem=${problem}
+      .note=${note}
+      .locked=${state.phase !== "idle"}
+      @give=${({ detail }: Told<"give">) => void taker.give(detail.file, detail.name)}
+      @choose-object=${({ detail }: Told<"choose-object">) => void taker.chooseObject(detail.object)}
+      @clear-subject=${() => taker.clear()}
+      @open-brush=${() => open(edit)}
+      @give-depth=${({ detail }: Told<"give-depth">) => void taker.giveDepth(detail.file, detail.name)}
+      @clear-depth=${() => taker.clearDepth()}
+    ></subject-pad>`;
+  },
+  choices: ({ studio, state }) => html`<stroke-choices .studio=${studio} .state=${state}></stroke-choices>`,
+  editor({ studio, state, editing, edit }) {
+    const subject = givenFor(state, stroke);
+    if (editing !== BRUSH || !subject) return null;
+    return html`<mask-editor
+      .subject=${subject}
+      .busy=${passingOf(state, stroke).busy}
+      .locked=${state.phase !== "idle"}
+      .undo=${state.undo}
+      .redo=${state.redo}
+      @paint=${({ detail }: Told<"paint">) => studio.taker(stroke).paint(detail.strokes)}
+      @undo=${() => studio.act(undo)}
+      @redo=${() => studio.act(redo)}
+      @close-editor=${() => edit(null)}
+    ></mask-editor>`;
+  },
+  own: (page) => void startOver(page),
+  result: () => html`<turned-views class="pictures"></turned-views>`,
+};
+
+/** The editor is loaded when it is first wanted. */
+function open(edit: (what: unknown) => void): void {
+  void import("./mask-editor");
+  edit(BRUSH);
+}
+
+/** An empty pad, with all the ways to fill it. */
+async function startOver({ studio, toPads }: Page): Promise<void> {
+  studio.taker(stroke).clear();
+  const pad = (await toPads()).querySelector<LitElement>("subject-pad");
+  await pad?.updateComplete;
+  pad?.renderRoot.querySelector<HTMLElement>(".ways button")?.focus();
+}

@@ -1,7 +1,7 @@
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { presetOf } from "../../../state/address/fragment";
-import type { Studio, StudioState } from "../../../state/studio";
+import { presetOf } from "../../../state/settings/values";
+import { tableOf, type Studio, type StudioState } from "../../../state/studio";
 import { count } from "../../../state/common/count";
 import { Part } from "../../../view/part";
 import { choiceStyle } from "../../../ui/shared/choice";
@@ -126,7 +126,7 @@ export class StrokeChoices extends Part {
 
   private readonly makeConstant = (event: Event): void => {
     if (!(event.target as HTMLInputElement).checked) {
-      const table = this.state.tables?.stroke;
+      const table = tableOf(this.state);
       const usual = table ? presetOf(this.studio.options.all, table) : {};
       this.setWidths({ low: Number(usual["min_width"] ?? 1), high: Number(usual["max_width"] ?? WIDTHS[1]) });
       return;

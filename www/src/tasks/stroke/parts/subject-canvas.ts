@@ -2,8 +2,9 @@
 
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { FoundObject, Ink } from "../../../engine/protocol";
-import type { KeptPicture } from "../../multiview/drawing/paper";
+import type { Ink } from "../../../engine/protocol";
+import type { KeptPicture } from "../../../state/picture/picture";
+import type { FoundObject } from "../protocol";
 import { maskOf, maskSize, maskStroke, paint, placesOf, type Brush, type MaskStroke, type Subject } from "../given";
 import { PLAIN } from "../../../view/paint";
 import { Part } from "../../../view/part";

@@ -3,15 +3,15 @@
 import type { MaskStroke } from "../given";
 
 /** A picture that somebody gives, with what to call it. */
-export interface Given {
+export interface Brought {
   readonly file: Blob;
   readonly name: string;
 }
 
 /** Each is a CustomEvent that bubbles out of every shadow root, with this detail. */
 export interface SubjectEvents {
-  give: Given;
-  "give-depth": Given;
+  give: Brought;
+  "give-depth": Brought;
   "clear-depth": null;
   "clear-subject": null;
   "choose-object": { readonly object: number };

@@ -1,0 +1,87 @@
+/** Answers the page's calls, one worker a page. It keeps the run under way. */
+
+import { openShareCode } from "../embed/share/code";
+import { loaded } from "./core";
+import type { Answer, Calls, Control, Finished, News, Request } from "./protocol";
+import { Pull } from "./pull";
+import { sheetOf } from "./sheet";
+import type { Handlers, TaskEngine } from "./task-engine";
+
+const CRASHED = "The engine stopped unexpectedly. What you gave it is still here; please try again.";
+
+let pull: Pull | null = null;
+let engines: readonly TaskEngine[] = [];
+
+const handlers: Handlers = {
+  settings: async ({ tasks }) => (await loaded()).settings(tasks),
+  place: async ({ backend }) => (await loaded()).place(backend),
+  run,
+  sheet: ({ drawing }) => sheetOf(drawing),
+  peek: async ({ code }) => openShareCode(code),
+  open: async (given) => (await loaded()).open(given),
+  export: async (given) => (await loaded()).export(given),
+};
+
+async function run({ task, work, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {
+  if (pull) throw new Error("A run is under way already; stop it first.");
+  // Made before the core is loaded: it hears a stop that comes meanwhile.
+  const mine = (pull = new Pull(tell));
+  try {
+    const checkpoint = from && new Uint8Array(await from.arrayBuffer());
+    const ears = {
+      tell: (words: string, share: number) => tell({ news: "progress", words, share }),
+      note: (words: string) => tell({ news: "note", words }),
+    };
+    const engine = engines.find((engine) => engine.task === task)!;
+    const session = await engine.start(work, settings, checkpoint, ears);
+    try {
+      tell({ news: "targets", targets: session.targets() });
+      await mine.toTheEnd(session, from !== null);
+      tell({ news: "progress", words: "Measuring the wire…", share: 1 });
+      return session.finish();
+    } finally {
+      session.free();
+    }
+  } finally {
+    pull = null;
+  }
+}
+
+function tell(message: News | Answer, transfer: Transferable[] = []): void {
+  postMessage(message, { transfer });
+}
+
+function answer(request: Request): Promise<unknown> {
+  const all = [handlers, ...engines.map((engine) => engine.handlers)];
+  const handler = all.map((some) => some[request.call]).find(Boolean) as (given: Request, tell: (news: News) => void) => Promise<unknown>;
+  return handler(request, tell);
+}
+
+async function hear({ data }: MessageEvent<Request | Control>): Promise<void> {
+  if ("control" in data) {
+    pull?.hear(data.control);
+    return;
+  }
+  try {
+    tell({ id: data.id, answer: await answer(data) });
+  } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
+      // The core stopped midway and is of no use any more: to the page, this worker is gone.
+      console.error(error);
+      tell({ id: data.id, problem: CRASHED });
+      setTimeout(() => {
+        throw error;
+      });
+    } else {
+      tell({ id: data.id, problem: error instanceof Error ? error.message : String(error) });
+    }
+  }
+}
+
+/** From here on the page is answered, also what these have to answer. */
+export function serve(tasks: readonly TaskEngine[]): void {
+  engines = tasks;
+  onmessage = hear;
+  // Loaded before the first call needs it; what goes wrong is told to each call.
+  loaded().catch(() => undefined);
+}

@@ -1,0 +1,83 @@
+/** What people can do with the document and its runs. */
+
+import { remember } from "../common/remember";
+import type { StudioState, WhenHidden } from "../contract/state";
+import type { Action } from "./action";
+
+const isIdle = ({ phase }: StudioState): boolean => phase === "idle";
+const isFitting = ({ phase }: StudioState): boolean => phase === "running" || phase === "paused";
+const isUnderWay = ({ phase }: StudioState): boolean => phase !== "idle" && phase !== "finishing";
+
+export const run: Action = { id: "run", label: "Run", keys: ["Space"], help: "Run, pause or go on", can: isIdle, act: ({ runs }) => runs.run() };
+
+export const pause: Action = { id: "pause", label: "Pause", says: ({ phase }) => (phase === "paused" ? "Go on" : "Pause"), keys: ["Space"], can: isFitting, act: ({ runs }) => runs.pause() };
+
+export const step: Action = { id: "step", label: "Step", can: isFitting, act: ({ runs }) => runs.step() };
+
+/** Keeps the best wire so far. */
+export const stop: Action = { id: "stop", label: "Stop", can: isUnderWay, act: ({ runs }) => runs.stop() };
+
+/** Throws the run away; the wire before it is back. */
+export const reset: Action = { id: "reset", label: "Reset", can: isUnderWay, act: ({ runs }) => runs.cancel() };
+
+/** Lays loose strokes beside the wire on the stage. */
+export const compare: Action = { id: "compare", label: "Compare with loose strokes", can: isIdle, act: ({ runs }) => runs.compare() };
+
+/** Shows an earlier wire of a run, by its index; null is the newest. */
+export const lookAt: Action<[index: number | null]> = { id: "look-at", label: "Look back", act: ({ runs }, index) => runs.lookAt(index) };
+
+export const continueFrom: Action<[index: number]> = {
+  id: "continue-from",
+  label: "Go on from here",
+  // One run at a time: what was made here waits for one of another task.
+  can: ({ running, doc }) => running === null || running === doc.task,
+  act: ({ runs }, index) => runs.continueFrom(index),
+};
+
+export const continueUnfinished: Action = { id: "continue-unfinished", label: "Go on", can: isIdle, act: ({ runs }) => runs.continueUnfinished() };
+
+export const dropUnfinished: Action = { id: "drop-unfinished", label: "Leave it", can: isIdle, act: ({ runs }) => runs.dropUnfinished() };
+
+export const undo: Action = {
+  id: "undo",
+  label: "Undo",
+  says: ({ undo }) => (undo ? `Undo: ${undo}` : "Undo"),
+  keys: ["Z", "Ctrl Z"],
+  help: "Undo",
+  everywhere: true,
+  can: (state) => isIdle(state) && state.undo !== null,
+  act: ({ project }) => project.undo(),
+};
+
+export const redo: Action = {
+  id: "redo",
+  label: "Redo",
+  says: ({ redo }) => (redo ? `Redo: ${redo}` : "Redo"),
+  keys: ["Shift Z", "Ctrl Y"],
+  help: "Redo",
+  everywhere: true,
+  can: (state) => isIdle(state) && state.redo !== null,
+  act: ({ project }) => project.redo(),
+};
+
+/** This tab keeps the project from now on. */
+export const keepHere: Action = { id: "keep-here", label: "Keep it here instead", act: ({ project }) => project.keepHere() };
+
+/** Closes what the person has read: a notice, or the problem. */
+export const dismiss: Action<[notice: string]> = {
+  id: "dismiss",
+  label: "Close this message",
+  act: ({ bench: { store } }, notice) => {
+    const { problem, notices } = store.get();
+    store.set({ problem: problem === notice ? "" : problem, notices: notices.filter((other) => other !== notice) });
+  },
+};
+
+export const setWhenHidden: Action<[choice: WhenHidden]> = {
+  id: "when-hidden",
+  label: "When this tab is hidden",
+  act: ({ bench: { store } }, choice) => {
+    remember("hidden", choice);
+    store.set({ whenHidden: choice });
+  },
+};

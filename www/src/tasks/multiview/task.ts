@@ -1,0 +1,66 @@
+/** Several drawings, one wire that shows each from its side. */
+
+import { nextTurn } from "../../state/common/next-turn";
+import { QUIET } from "../../state/contract/state";
+import type { PageTask } from "../../ui/shared/page-task";
+import { drawingOf } from "./drawing/paper";
+import { laidOut, NO_PAPERS, sheetsOf, SLOTS, type Papers } from "./given";
+import { NO_PREVIEW } from "./previewer";
+import type { Drawing } from "./protocol";
+import { Pads, type Passing } from "./pads";
+import { verdict } from "./verdict";
+
+export const multiview: PageTask<Papers, Passing, Pads> = {
+  name: "multiview",
+  words: {
+    given: "drawings",
+    looking: "Looking at the drawings",
+    needs: "A wire needs at least two drawings.",
+    remedy: "Put one into another pad, then press Run.",
+    text: "That was text. To make a wire of a word, open a pad, choose Type and write it there.",
+  },
+  page: {
+    tab: "Three views",
+    title: "Three drawings, one wire",
+    panel: "Pictures",
+    drops: "pictures or a wire.json",
+    run: "Run",
+    own: { icon: "pencil", instead: "Draw your own", again: "Start over" },
+    result: "Match",
+    example: "Three pictures in one wire. Make it again to watch how it gets there.",
+  },
+  stage: {
+    views: {
+      room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
+      front: "Seen straight from the front, where the wire shows the first drawing.",
+      side: "Seen straight from the side, where the wire shows the second drawing.",
+      top: "Seen straight from above, where the wire shows the third drawing.",
+    },
+    tour: ["front", "side", "top", "room"],
+  },
+  blank: NO_PAPERS,
+  quiet: { ...NO_PREVIEW, pads: { front: QUIET, side: QUIET, top: QUIET } },
+  takes: { pictures: SLOTS.length, meshes: false },
+  keeps: { settings: [], groups: ["views"] },
+  compared: SLOTS,
+  form: {
+    parts: (papers) => ({ ...papers }),
+    whole: (parts) => ({ ...NO_PAPERS, ...parts }),
+  },
+  isBlank: (papers) => laidOut(papers).length === 0,
+  suffices: (papers, closely = false) => (closely ? sheetsOf(papers) : laidOut(papers)).length >= 2,
+  labels: (papers) => sheetsOf(papers).map(({ paper }) => paper.label),
+  async work(papers) {
+    const drawings: Drawing[] = [];
+    for (const { slot, paper } of sheetsOf(papers)) {
+      await nextTurn();
+      drawings.push(drawingOf(paper, slot));
+    }
+    return drawings;
+  },
+  example: async (engine) => (await import("./example")).example(engine),
+  verdict,
+  open: (bench) => new Pads(bench, multiview),
+  parts: () => import("./parts/parts"),
+  help: () => import("./help"),
+};

@@ -1,0 +1,47 @@
+/** One picture, in the worker. */
+
+import { bytesOf, ink, loaded, own, pulled, taken } from "../../engine/core";
+import type { Picture } from "../../engine/protocol";
+import type { TaskEngine } from "../../engine/task-engine";
+import * as wasm from "../../engine/wasm/wire4d";
+import type { FoundObject, StrokeWork } from "./protocol";
+
+export const engine: TaskEngine<StrokeWork> = {
+  task: "stroke",
+  handlers: {
+    find: async ({ picture, object }) => {
+      await loaded();
+      return find(picture, object);
+    },
+  },
+  async start(work, settings, from, { tell, note }) {
+    await loaded();
+    const subject = subjectOf(work);
+    const given = JSON.stringify(settings);
+    try {
+      return pulled(await (from ? wasm.Run.resume_stroke(subject, given, from, tell, note) : wasm.Run.start_stroke(subject, given, tell, note)));
+    } finally {
+      subject.free();
+    }
+  },
+};
+
+function find(picture: Picture, object: number): FoundObject {
+  const found = wasm.find_object(picture.name, picture.width, picture.height, bytesOf(picture), object);
+  return taken(found, () => {
+    const { ink: mask, ...size } = ink(found.mask());
+    return { ...size, mask, labels: own(found.labels()), count: found.count, notes: JSON.parse(found.notes()) as string[] };
+  });
+}
+
+function subjectOf({ picture, mask, depth }: StrokeWork): wasm.Subject {
+  const subject = new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture));
+  try {
+    if (mask) subject.set_mask(mask.width, mask.height, mask.ink);
+    if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth), depth.measured ?? false);
+  } catch (error) {
+    subject.free();
+    throw error;
+  }
+  return subject;
+}

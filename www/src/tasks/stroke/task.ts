@@ -1,0 +1,61 @@
+/** One picture, one wire that draws it and still makes sense from the side. */
+
+import { QUIET, type PadState } from "../../state/contract/state";
+import { pixelsOf } from "../../state/picture/picture";
+import type { PageTask } from "../../ui/shared/page-task";
+import { maskOf, type Subject } from "./given";
+import type { StrokeWork } from "./protocol";
+import { SubjectTaker } from "./taking";
+import { verdict } from "./verdict";
+
+export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
+  name: "stroke",
+  words: {
+    given: "picture",
+    looking: "Looking at the picture",
+    needs: "A wire needs a picture.",
+    remedy: "Give one on the left, then press Run.",
+    text: "That was text. Here a wire is made of a picture: paste or drop one.",
+  },
+  page: {
+    tab: "One picture",
+    title: "One picture, one wire that turns",
+    panel: "Picture",
+    drops: "a picture or a wire.json",
+    run: "Run",
+    own: { icon: "picture", instead: "Use your own", again: "Start over" },
+    result: "Match",
+    example: "One wire draws the picture, and goes on round the back. Make it again to watch how it gets there.",
+  },
+  stage: {
+    views: {
+      room: "The wire hangs in the corner of a room. Its shadow on the back wall is the picture.",
+      front: "Seen straight from the front, where the wire shows the picture.",
+      side: "Seen straight from the side.",
+      top: "Seen straight from above.",
+    },
+    tour: ["front", ...[45, 135, 225, 315].map((azimuth) => ({ azimuth, elevation: 10 })), "front", "room"],
+  },
+  blank: null,
+  quiet: QUIET,
+  takes: { pictures: 1, meshes: false },
+  keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["views", "stroke"] },
+  compared: ["front"],
+  form: {
+    parts: (subject) => ({ subject }),
+    whole: ({ subject = null }) => subject as Subject | null,
+  },
+  isBlank: (subject) => subject === null,
+  suffices: (subject) => subject !== null,
+  labels: (subject) => [subject?.picture.name ?? ""],
+  async work(subject): Promise<StrokeWork> {
+    const { picture, depth } = subject!;
+    const mask = maskOf(subject!);
+    return { picture: await pixelsOf(picture), mask, depth: depth && (await pixelsOf(depth)) };
+  },
+  example: async () => (await import("./example")).example(),
+  verdict,
+  open: (bench) => new SubjectTaker(bench, stroke),
+  parts: () => import("./parts/parts"),
+  help: () => import("./help"),
+};

@@ -1,0 +1,42 @@
+/** Everything with a key, and what only the page can do: look from somewhere, share, help. */
+
+import { deskOf } from "../../state/keeping/document";
+import type { ViewName } from "../../embed/stage";
+import type { Action, Parts } from "../../state/actions/action";
+import { pause, redo, run, undo } from "../../state/actions/actions";
+
+/** What the page's own actions work with, besides the studio's parts. */
+export interface PageParts extends Parts {
+  flyTo(view: ViewName): void;
+  copyLink(): void;
+  help(): void;
+}
+
+export type PageAction = Action<[], PageParts>;
+
+const look = (view: ViewName, key: string, help: string): PageAction => ({ id: `look-${view}`, label: help, keys: [key], help, act: (page) => page.flyTo(view) });
+
+export const copyLink: PageAction = {
+  id: "copy-link",
+  label: "Copy link",
+  keys: ["S"],
+  help: "Copy the link",
+  can: ({ doc, phase }) => phase === "idle" && deskOf(doc).made !== null,
+  act: (page) => page.copyLink(),
+};
+
+export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };
+
+/** In the order of help's list. */
+export const ACTIONS: readonly PageAction[] = [
+  run,
+  pause,
+  look("front", "1", "Look from the front"),
+  look("side", "2", "Look from the side"),
+  look("top", "3", "Look from above"),
+  look("room", "F", "See the whole room"),
+  undo,
+  redo,
+  copyLink,
+  help,
+];
