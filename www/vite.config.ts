@@ -17,13 +17,26 @@ const contentSecurityPolicy: Plugin = {
   ],
 };
 
+/**
+ * What every visit needs of state and of tasks is one script: in pieces it would be larger. Elements come by the columns
+ * that they are in; and later, what is only wanted later.
+ */
+const isOfStudio = (id: string): boolean =>
+  /\/src\/(state|tasks)\//.test(id) && !/\.test\.|\/parts\/|\/(example|help|png16|rare|samples|engine|mesh-files|fit)\b|\/drawing\/(word|shelf)|\?(url|raw)|\.(json|png|code)$/.test(id);
+
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
   plugins: [contentSecurityPolicy],
   worker: { format: "es" },
   server: { fs: { allow: [".."] } },
-  build: { outDir: "../dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0 },
+  build: {
+    outDir: "../dist",
+    emptyOutDir: true,
+    target: "es2022",
+    assetsInlineLimit: 0,
+    rolldownOptions: { output: { codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } } },
+  },
   test: {
     projects: [
       { extends: true, test: { name: "unit", include: ["src/**/*.test.ts"] } },

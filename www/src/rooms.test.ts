@@ -20,6 +20,7 @@ const ROOMS: readonly string[] = [
   "state/address",
   "state/run",
   "state/opening",
+  "state/saving",
   "state/actions",
   "state",
   "view",

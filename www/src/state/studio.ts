@@ -1,26 +1,24 @@
-/** Puts together what there is behind the page: parts, each with a task of its own, and the state that follows from them. */
+/** Puts together what there is behind the page: its parts, and the state that follows from them. */
 
 import type { WireShape } from "../embed/shape";
 import { EngineClient } from "../engine/client";
-import type { Backend, ExportFormat } from "../engine/protocol";
+import type { Backend } from "../engine/protocol";
 import type { Action, Parts } from "./actions/action";
-import { addressed } from "./address/address";
-import { writeFragment } from "./address/fragment";
-import { fragmentIn } from "./address/pasted";
-import { forOthers, readRenderer } from "./address/renderer";
+import { readRenderer } from "./address/renderer";
 import { Store } from "./common/store";
-import { DURING_A_RUN, explain } from "./common/words";
+import { explain } from "./common/words";
 import type { Bench } from "./contract/bench";
 import { by, firstState, stateOf, wireFor, type BaseState, type StudioState, type StudioStore } from "./contract/state";
 import type { Taker, Task } from "./contract/task";
-import { deskOf, type Doc, type Made } from "./keeping/document";
+import type { Doc } from "./keeping/document";
 import type { Forms } from "./keeping/keep";
 import { Project } from "./keeping/project";
-import { sortFiles } from "./opening/files";
 import { Opener } from "./opening/opener";
+import { Receiver } from "./opening/receiver";
 import { HiddenTab } from "./run/hidden-tab";
 import { Placer } from "./run/placer";
 import { Runs } from "./run/runs";
+import { Saver } from "./saving/saver";
 import { Options } from "./settings/options";
 
 export { deskOf, type Doc, type Made } from "./keeping/document";
@@ -43,6 +41,8 @@ export class Studio implements Parts {
   readonly options: Options;
   readonly runs: Runs;
   readonly opener: Opener;
+  readonly receiver: Receiver;
+  readonly saver: Saver;
   private readonly tasks: readonly Task[];
   private readonly engine: EngineClient;
   private readonly placer: Placer;
@@ -70,7 +70,10 @@ export class Studio implements Parts {
       this.showWire();
     });
     this.takers = by(tasks, (task) => task.open(this.bench));
-    this.opener = new Opener(this.bench, tasks, this.options, (task) => this.takers[task]!);
+    const taker = (task: string): Taker => this.takers[task]!;
+    this.opener = new Opener(this.bench, tasks, this.options, taker);
+    this.receiver = new Receiver(this.bench, tasks, this.opener, taker);
+    this.saver = new Saver(this.bench, tasks, taker);
     this.store.follow(() => this.showWire());
     this.store.watch(({ doc, phase, tables }) => [doc, phase, tables], () => this.seekPlace());
     const tab = new HiddenTab(() => this.store.get().whenHidden, { phase: () => this.store.get().phase, pauseOrGoOn: () => this.runs.pause() });
@@ -121,74 +124,9 @@ export class Studio implements Parts {
     return () => this.wireListeners.delete(listener);
   }
 
-  /** Turns to another task. What the one before has, given and made, stays with it; a run goes on. */
-  choose(task: string): void {
-    if (task === this.doc.task) return;
-    this.opener.choose(task);
-    void this.opener.example();
-  }
-
-  /** Files dropped or pasted anywhere: pictures to where the task wants them, a mesh to where it is covered, a wire onto the stage. */
-  async takeFiles(files: readonly File[], folders: readonly string[] = []): Promise<void> {
-    if (this.bench.busy || files.length === 0) return;
-    const { takes } = this.task();
-    const { meshes, pictures, wire, note } = sortFiles(files, folders, takes.pictures, takes.meshes);
-    this.store.set({ problem: note });
-    if (wire && pictures.length === 0 && meshes.length === 0) await this.opener.file(wire);
-    const elsewhere = meshes.length && !takes.meshes ? this.tasks.find(({ takes }) => takes.meshes) : undefined;
-    if (elsewhere) this.choose(elsewhere.name);
-    await this.takers[this.doc.task]!.take({ meshes, pictures: elsewhere ? [] : pictures });
-  }
-
-  /** Text pasted or dropped on the page: a link is opened, for anything else there is a better place. */
-  takeText(text: string): void {
-    if (this.bench.busy || !text.trim()) return;
-    const hash = fragmentIn(text);
-    if (hash) void this.openFragment(hash);
-    else this.warn(this.task().words.text);
-  }
-
-  /** Shows what an address asks for. */
-  async openFragment(hash: string): Promise<void> {
-    if (this.bench.busy) this.warn(DURING_A_RUN);
-    else if (!(await this.opener.fragment(hash))) await this.opener.example();
-  }
-
   /** The page may be about to go. */
   save(): void {
     this.project.save();
-  }
-
-  /** The wire as a file; `view` is the one an SVG draws. */
-  async export(format: ExportFormat, view = "front"): Promise<Blob | null> {
-    const { made } = deskOf(this.doc);
-    if (!made) return null;
-    try {
-      const how = { file: made.finished.file, format, view };
-      const seen = format.endsWith("svg") ? this.takers[this.doc.task]!.exportSeen?.(made, how) : null;
-      const bytes = await (seen ?? this.engine.call("export", how));
-      return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: MIME[format] });
-    } catch (error) {
-      this.warn(explain(error, "The file"));
-      return null;
-    }
-  }
-
-  /** A link that carries the whole wire and the settings. */
-  link(page: string): string | null {
-    const { made } = deskOf(this.doc);
-    return made && forOthers(page) + this.address(writeFragment(this.doc.task, made.finished.code, {}, {}, this.tasks));
-  }
-
-  /** What should stand in the address in place of `hash`. */
-  address(hash: string): string {
-    const { made } = deskOf(this.doc);
-    return addressed(hash, this.doc, this.tasks, made && this.madeOf(made));
-  }
-
-  /** Whether the stage shows what a link carries, ahead of the document. */
-  get ahead(): boolean {
-    return this.opener.ahead;
   }
 
   say(said: string): void {
@@ -197,10 +135,6 @@ export class Studio implements Parts {
 
   warn(problem: string): void {
     this.store.set({ problem });
-  }
-
-  private madeOf(made: Made): unknown {
-    return this.takers[this.doc.task]!.madeOf?.(made) ?? null;
   }
 
   private notify(notice: string): void {
@@ -250,13 +184,3 @@ export class Studio implements Parts {
     };
   }
 }
-
-const MIME: Readonly<Record<ExportFormat, string>> = {
-  glb: "model/gltf-binary",
-  stl: "model/stl",
-  obj: "model/obj",
-  svg: "image/svg+xml",
-  "lines.svg": "image/svg+xml",
-  "wire.json": "application/json",
-  "bend.csv": "text/csv",
-};

@@ -29,7 +29,7 @@ export class SmallPictures {
   private sampled = false;
   private inks = new WeakMap<Ink, HTMLCanvasElement>();
   /** What is being painted now, whose turn is next, and how many are left to paint. */
-  private job: Generator<void, void> | null = null;
+  private painting: Generator<void, void> | null = null;
   private turn = 0;
   private left = 0;
   private waiting: ReturnType<typeof setTimeout> | null = null;
@@ -68,10 +68,10 @@ export class SmallPictures {
     this.frame = 0;
     const until = performance.now() + SLICE_MS;
     do {
-      this.job ??= this.next();
-      if (this.job.next().done) this.job = null;
-    } while ((this.job || this.left > 0) && performance.now() < until);
-    if (this.job || this.left > 0) this.frame = requestAnimationFrame(this.paintOn);
+      this.painting ??= this.next();
+      if (this.painting.next().done) this.painting = null;
+    } while ((this.painting || this.left > 0) && performance.now() < until);
+    if (this.painting || this.left > 0) this.frame = requestAnimationFrame(this.paintOn);
   };
 
   /** Paints one view, or samples the wire first if that is another: never twice in a row, or none would get painted. */

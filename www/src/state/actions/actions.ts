@@ -60,6 +60,8 @@ export const redo: Action = {
   act: ({ project }) => project.redo(),
 };
 
+export const chooseTask: Action<[task: string]> = { id: "choose-task", label: "What to make", act: ({ opener }, task) => opener.turnTo(task) };
+
 /** This tab keeps the project from now on. */
 export const keepHere: Action = { id: "keep-here", label: "Keep it here instead", act: ({ project }) => project.keepHere() };
 

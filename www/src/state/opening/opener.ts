@@ -54,7 +54,14 @@ export class Opener {
     return code !== null && this.code(code, task, { source: "link" });
   }
 
-  /** Turns to a task. */
+  /** Turns to another task. What the one before has, given and made, stays with it; a run goes on. */
+  turnTo(task: string): void {
+    if (task === this.bench.doc.task) return;
+    this.choose(task);
+    void this.example();
+  }
+
+  /** The same without an example. */
   choose(task: string): void {
     const { doc, project, store } = this.bench;
     if (task === doc.task) return;

@@ -1,10 +1,11 @@
-import { css, html, LitElement, type TemplateResult } from "lit";
+import { html, LitElement, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
 import { remember, remembered } from "../../state/common/remember";
 import { dialogStyle } from "../shared/dialog-style";
 import { controls } from "../shared/shared";
 import { ACTIONS } from "./actions";
+import { helpDialogStyle } from "./help-dialog-style";
 
 export const lettersOn = (): boolean => remembered("keys") !== "off";
 
@@ -16,76 +17,7 @@ export class HelpDialog extends LitElement {
   @state() private letters = lettersOn();
   @query("dialog") private dialog!: HTMLDialogElement;
 
-  static override styles = [
-    controls,
-    dialogStyle,
-    css`
-      dialog {
-        width: min(560px, calc(100vw - 32px));
-      }
-      header {
-        position: sticky;
-        top: 0;
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        padding: 16px 16px 8px 24px;
-        padding-inline: 24px 16px;
-        background: var(--raised);
-      }
-      h1 {
-        margin: 0;
-        font-size: 20px;
-        font-weight: 600;
-      }
-      .body {
-        display: grid;
-        gap: 16px;
-        padding: 0 24px 24px;
-      }
-      .body > * {
-        margin: 0;
-      }
-      h2 {
-        margin-block-start: 8px;
-        color: var(--ink);
-      }
-      dl {
-        display: grid;
-        grid-template-columns: auto minmax(0, 1fr);
-        gap: 8px 24px;
-        margin: 0;
-      }
-      dt {
-        white-space: nowrap;
-      }
-      dd {
-        margin: 0;
-      }
-      kbd {
-        display: inline-block;
-        min-width: 24px;
-        padding: 0 6px;
-        border: 1px solid var(--line-strong);
-        border-radius: 4px;
-        font: inherit;
-        font-size: 13px;
-        text-align: center;
-      }
-      label {
-        display: flex;
-        align-items: center;
-        gap: 8px;
-        min-height: 24px;
-      }
-      input {
-        flex: none;
-        width: 20px;
-        height: 20px;
-        margin: 0;
-      }
-    `,
-  ];
+  static override styles = [controls, dialogStyle, helpDialogStyle];
 
   override render() {
     return html`<dialog aria-labelledby="title" @click=${this.clickedBeside}>

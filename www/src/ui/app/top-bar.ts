@@ -1,6 +1,6 @@
-import { css, html } from "lit";
+import { html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { redo, undo } from "../../state/actions/actions";
+import { chooseTask, redo, undo } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
@@ -9,6 +9,7 @@ import { controls } from "../shared/shared";
 import { copyLink, help, type PageAction } from "./actions";
 import { taskTabs, taskTabsStyle } from "./task-tabs";
 import { chooseTheme, nextTheme, theme, type Theme } from "../shared/theme";
+import { topBarStyle } from "./top-bar-style";
 
 const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
 
@@ -22,67 +23,14 @@ export class TopBar extends Part {
   @property({ attribute: false }) act!: (action: PageAction) => void;
   @state() private theme = theme();
 
-  static override styles = [
-    controls,
-    taskTabsStyle,
-    css`
-      :host {
-        display: flex;
-        align-items: center;
-        gap: 16px;
-        min-width: 0;
-        padding: 0 16px 0 24px;
-        padding-inline: 24px 16px;
-      }
-      h1 {
-        margin: 0;
-        font-size: 20px;
-        font-weight: 600;
-        letter-spacing: -0.01em;
-      }
-      h1 b {
-        font-weight: 600;
-        color: var(--copper-text);
-      }
-      .tools {
-        display: flex;
-        align-items: center;
-        gap: 4px;
-      }
-      .share {
-        margin-inline: 8px;
-      }
-      @media (max-width: 819px), (max-width: 1099px) and (orientation: portrait) {
-        :host {
-          padding-inline: 16px 4px;
-        }
-        .tools {
-          gap: 0;
-        }
-        .share {
-          display: none;
-        }
-      }
-      /* Where there is room for one of them, it is the tabs. */
-      @media (max-width: 559px) {
-        :host {
-          gap: 0;
-          padding-inline-start: 6px;
-        }
-        h1 {
-          position: absolute;
-          clip-path: inset(50%);
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, taskTabsStyle, topBarStyle];
 
   override render() {
     const { running, doc } = this.state;
     const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[nextTheme(this.theme)]}`;
     return html`
       <h1>Wire<b>4D</b></h1>
-      ${taskTabs(this.tasks, doc.task, running, (task) => this.studio.choose(task))}
+      ${taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
       <div class="tools">
         ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
         <button class="share" ?disabled=${!this.studio.can(copyLink)} @click=${() => this.act(copyLink)}>${icons.share} Share</button>

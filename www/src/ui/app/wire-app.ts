@@ -167,7 +167,7 @@ export class WireApp extends LitElement {
       this.stage.setWire(wire);
       this.result.setWire(wire);
     });
-    addEventListener("hashchange", () => void this.studio.openFragment(location.hash), { signal });
+    addEventListener("hashchange", () => void this.studio.receiver.fragment(location.hash), { signal });
     addEventListener("paste", (event) => this.paste(event), { signal });
     addEventListener("keydown", (event) => this.press(event), { signal });
     addEventListener("pagehide", () => this.studio.save(), { signal });
@@ -241,8 +241,8 @@ export class WireApp extends LitElement {
 
   /** Settings show in the address as people change them; a link that is being opened stays there. */
   private readdress(): void {
-    if (this.studio.ahead) return;
-    const hash = this.studio.address(location.hash);
+    if (this.studio.opener.ahead) return;
+    const hash = this.studio.saver.address(location.hash);
     if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname + location.search);
   }
 
@@ -290,8 +290,8 @@ export class WireApp extends LitElement {
     const files = [...(data?.files ?? [])];
     const entries = [...(data?.items ?? [])].map((item) => item.webkitGetAsEntry());
     const folders = entries.flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
-    if (files.length) void this.studio.takeFiles(files, folders);
-    else this.studio.takeText(data?.getData("text") ?? "");
+    if (files.length) void this.studio.receiver.files(files, folders);
+    else this.studio.receiver.text(data?.getData("text") ?? "");
   }
 
   private press(event: KeyboardEvent): void {

@@ -1,4 +1,4 @@
-import { css, html, nothing, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { compare } from "../../state/actions/actions";
 import { deskOf, type Made, type Studio, type StudioState } from "../../state/studio";
@@ -10,6 +10,7 @@ import { SMALL_PX, SmallPictures, type SmallPicture } from "../../view/small-pic
 import { smallStyle } from "../../view/small-style";
 import { controls } from "../shared/shared";
 import { compared, gapOf, meanMatch } from "./compared";
+import { wireComparisonStyle } from "./wire-comparison-style";
 
 const TURNED = viewFrom({ azimuth: 35, elevation: 15 }, "turned");
 
@@ -22,52 +23,7 @@ export class WireComparison extends Part {
   /** What they are painted of. */
   private painted: Made | null = null;
 
-  static override styles = [
-    controls,
-    smallStyle,
-    css`
-      :host {
-        display: grid;
-        gap: 8px;
-      }
-      p {
-        margin: 0;
-      }
-      table {
-        width: 100%;
-        border-collapse: collapse;
-        table-layout: fixed;
-        font-size: 13px;
-        line-height: 18px;
-      }
-      th {
-        font-weight: 400;
-        text-align: start;
-        color: var(--quiet);
-      }
-      thead th {
-        padding: 0 4px 4px;
-        font-weight: 600;
-        color: var(--ink);
-      }
-      thead th:first-child,
-      tbody th {
-        width: 72px;
-        padding-inline: 0 4px;
-      }
-      td {
-        padding: 4px;
-        font-weight: 600;
-      }
-      tbody tr:not(.picture) {
-        border-block-start: 1px solid var(--line);
-      }
-      .picture th {
-        vertical-align: top;
-        padding-block-start: 4px;
-      }
-    `,
-  ];
+  static override styles = [controls, smallStyle, wireComparisonStyle];
 
   override render() {
     const { doc, comparing, running } = this.state;

@@ -1,4 +1,4 @@
-import { css, html, nothing } from "lit";
+import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../../engine/protocol";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
@@ -10,6 +10,7 @@ import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import type { PageTask } from "../shared/page-task";
 import { controls } from "../shared/shared";
+import { savePanelStyle } from "./save-panel-style";
 
 interface FileKind {
   readonly format: ExportFormat;
@@ -42,60 +43,7 @@ export class SavePanel extends Part {
   @state() private view = "front";
   @query("#link") private field!: HTMLInputElement | null;
 
-  static override styles = [
-    controls,
-    foldStyle,
-    css`
-      :host {
-        display: grid;
-        gap: 8px;
-      }
-      .file {
-        justify-content: flex-start;
-        gap: 12px;
-        width: 100%;
-        min-height: 48px;
-        padding: 4px 12px;
-        text-align: start;
-      }
-      .file > svg {
-        color: var(--quiet);
-      }
-      .file span {
-        min-width: 0;
-        line-height: 1.3;
-      }
-      .file b {
-        display: block;
-        font-weight: 600;
-      }
-      .svg {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
-        gap: 8px;
-      }
-      select {
-        text-transform: capitalize;
-      }
-      .link {
-        min-height: 44px;
-        font-weight: 600;
-      }
-      input {
-        width: 100%;
-      }
-      p {
-        margin: 0;
-      }
-      .group {
-        gap: 8px;
-        padding-block-end: 8px;
-      }
-      details {
-        border-block-end: 1px solid var(--line);
-      }
-    `,
-  ];
+  static override styles = [controls, foldStyle, savePanelStyle];
 
   override render() {
     const none = !deskOf(this.state.doc).made || this.state.phase !== "idle";
@@ -145,7 +93,7 @@ export class SavePanel extends Part {
   }
 
   async copyLink(): Promise<void> {
-    const link = this.studio.link(location.href);
+    const link = this.studio.saver.link(location.href);
     if (!link) return;
     history.replaceState(null, "", new URL(link).hash);
     try {
@@ -169,7 +117,7 @@ export class SavePanel extends Part {
   private async save(format: ExportFormat): Promise<void> {
     this.busy = format;
     const view = this.shown;
-    const blob = await this.studio.export(format, view);
+    const blob = await this.studio.saver.export(format, view);
     this.busy = "";
     if (!blob) return;
     const ofView = `-${view.replace(/[^\w-]+/g, "-")}`;

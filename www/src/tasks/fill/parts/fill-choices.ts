@@ -1,4 +1,4 @@
-import { css, html } from "lit";
+import { html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { givenFor, passingOf } from "../../../state/contract/state";
 import { fill } from "../task";
@@ -8,6 +8,7 @@ import { Part } from "../../../view/part";
 import { WORDS } from "../../../ui/settings/setting-words";
 import { choiceStyle } from "../../../ui/shared/choice";
 import { barStyle, controls } from "../../../ui/shared/shared";
+import { fillChoicesStyle } from "./fill-choices-style";
 
 interface Slider {
   readonly name: string;
@@ -36,71 +37,7 @@ export class FillChoices extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
 
-  static override styles = [
-    controls,
-    choiceStyle,
-    barStyle,
-    css`
-      :host {
-        display: block;
-        container-type: inline-size;
-        min-width: 0;
-      }
-      .all {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 12px;
-      }
-      .off b {
-        color: var(--quiet);
-      }
-      .run {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        gap: 8px;
-        font-size: 13px;
-        color: var(--quiet);
-      }
-      select {
-        flex: 0 1 auto;
-        color: var(--ink);
-      }
-      @container (max-width: 199px) {
-        .run {
-          display: grid;
-        }
-      }
-      /* Always there: nothing jumps when lines are laid. */
-      .laying {
-        display: grid;
-        gap: 4px;
-        min-height: 24px;
-      }
-      .laying:not(.busy) .bar {
-        visibility: hidden;
-      }
-      /* A phone: side by side. */
-      @container (min-width: 300px) {
-        .all {
-          grid-template-columns: repeat(2, minmax(0, 1fr));
-          gap: 12px 24px;
-        }
-        .laying {
-          grid-column: 1 / -1;
-        }
-        .run {
-          display: grid;
-          grid-template-columns: minmax(0, 1fr);
-          align-content: start;
-          gap: 4px;
-        }
-        select {
-          width: 100%;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, choiceStyle, barStyle, fillChoicesStyle];
 
   override render() {
     const { covering } = passingOf(this.state, fill);

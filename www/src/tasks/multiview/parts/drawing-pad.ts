@@ -1,4 +1,4 @@
-import { css, html, nothing } from "lit";
+import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
 import { givenFor, passingOf } from "../../../state/contract/state";
@@ -13,7 +13,9 @@ import { icons } from "../../../ui/shared/icons";
 import "./ink-canvas";
 import type { Pen } from "./ink-canvas";
 import { chosenFile, Landing, problemOver } from "../../../ui/shared/drop";
+import { padStyle } from "../../../ui/shared/pad-style";
 import { controls } from "../../../ui/shared/shared";
+import { drawingPadStyle } from "./drawing-pad-style";
 
 export type EditorTab = "draw" | "type" | "icons" | "picture";
 
@@ -50,223 +52,7 @@ export class DrawingPad extends Part {
   @query(".menu") private menu!: HTMLElement;
   @query(".opener") private opener!: HTMLElement;
 
-  static override styles = [
-    controls,
-    problemOver,
-    css`
-      :host {
-        display: block;
-        container-type: inline-size;
-        min-width: 0;
-      }
-      .head {
-        display: flex;
-        align-items: center;
-        gap: 8px;
-        min-height: 32px;
-      }
-      h2 {
-        color: var(--ink);
-      }
-      .moved {
-        flex: 1;
-        min-width: 0;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .opener {
-        margin-inline-start: auto;
-        margin-inline-end: -6px;
-        width: 32px;
-        min-height: 32px;
-        color: var(--quiet);
-      }
-      .row {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
-        gap: 8px;
-      }
-      .sheet {
-        position: relative;
-        aspect-ratio: 1;
-        overflow: hidden;
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        background: var(--raised);
-        box-shadow: var(--shadow);
-        color: var(--ink);
-        transition: border-color 150ms ease;
-      }
-      .sheet:hover {
-        border-color: var(--line-strong);
-      }
-      .over .sheet {
-        border-color: var(--copper);
-        outline: 2px solid var(--copper);
-      }
-      ink-canvas {
-        position: absolute;
-        inset: 0;
-        transition: opacity 150ms ease;
-      }
-      .busy ink-canvas {
-        opacity: 0.4;
-      }
-      .locked .sheet:hover {
-        border-color: var(--line);
-      }
-      .invitation {
-        position: absolute;
-        inset: 0;
-        display: grid;
-        place-content: center;
-        justify-items: center;
-        gap: 8px;
-        margin: 8px;
-        border: 1.5px dashed var(--line-strong);
-        border-radius: 4px;
-        padding: 8px;
-        text-align: center;
-        text-wrap: balance;
-        color: var(--quiet);
-        pointer-events: none;
-      }
-      .short {
-        display: none;
-      }
-      .over .invitation {
-        border-color: var(--copper);
-        color: var(--ink);
-      }
-      .tools {
-        display: flex;
-        flex-direction: column;
-        justify-content: space-between;
-        gap: 2px;
-      }
-      .tools button {
-        flex: 1 1 auto;
-        max-height: 48px;
-        color: var(--quiet);
-      }
-      .tools button:hover:not(:disabled),
-      .opener:hover:not(:disabled) {
-        color: var(--ink);
-      }
-      .line {
-        display: flex;
-        align-items: center;
-        gap: 6px;
-        height: 20px;
-        margin: 4px 0 0;
-        overflow: hidden;
-        white-space: nowrap;
-      }
-      .line span {
-        overflow: hidden;
-        text-overflow: ellipsis;
-      }
-      .hatch {
-        flex: none;
-        width: 16px;
-        height: 10px;
-        border: 1px solid var(--amber);
-        border-radius: 2px;
-        background: repeating-linear-gradient(-45deg, var(--amber) 0 2px, transparent 2px 4px);
-      }
-      .line b {
-        font-weight: 600;
-        color: var(--amber-text);
-      }
-      .menu {
-        position: fixed;
-        inset: auto;
-        min-width: 208px;
-        margin: 0;
-        padding: 4px;
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        background: var(--raised);
-        color: var(--ink);
-        box-shadow: var(--shadow);
-      }
-      .menu button {
-        display: flex;
-        justify-content: flex-start;
-        width: 100%;
-        min-height: 36px;
-        border-color: transparent;
-        background: none;
-      }
-      .menu button:is(:hover, :focus-visible):not(:disabled) {
-        background: color-mix(in srgb, var(--ink) 7%, transparent);
-      }
-      .menu hr {
-        margin: 4px 8px;
-        border: 0;
-        border-block-start: 1px solid var(--line);
-      }
-      .menu .icon {
-        color: var(--quiet);
-      }
-      @container (max-width: 199px) {
-        .row {
-          grid-template-columns: minmax(0, 1fr);
-          gap: 4px;
-        }
-        .tools {
-          flex-direction: row;
-        }
-      }
-      /* A third of a phone's width: the sheet is the button, all else is in the editor and the menu. */
-      @container (max-width: 149px) {
-        .head {
-          min-height: 36px;
-          gap: 0;
-        }
-        .tools,
-        .head .moved,
-        .line .more,
-        .invitation .long {
-          display: none;
-        }
-        .invitation {
-          gap: 4px;
-          margin: 4px;
-        }
-        .invitation .short {
-          display: inline;
-        }
-        .problem {
-          padding: 6px;
-          font-size: 12px;
-          line-height: 1.25;
-        }
-        .problem button {
-          position: static;
-          float: inline-end;
-          margin: -6px;
-        }
-      }
-      @media (pointer: coarse) {
-        .opener {
-          width: 44px;
-          min-height: 44px;
-          margin-block: -6px;
-          margin-inline-end: -10px;
-        }
-        .menu button {
-          min-height: 44px;
-        }
-      }
-      @media (forced-colors: active) {
-        .hatch {
-          forced-color-adjust: none;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, problemOver, padStyle, drawingPadStyle];
 
   private get paper(): Paper | null {
     return givenFor(this.state, multiview)[this.slotName];
@@ -294,7 +80,7 @@ export class DrawingPad extends Part {
       >
         <div class="head">
           <h2>${name}</h2>
-          <span class="moved small quiet" title=${moved || nothing}>${moved}</span>
+          <span class="aside small quiet" title=${moved || nothing}>${moved}</span>
           <button
             class="opener plain square"
             aria-label="More for the ${slotName} drawing"
@@ -309,6 +95,7 @@ export class DrawingPad extends Part {
         <div class="row">
           <div class="sheet" @click=${this.tapped}>
             <ink-canvas
+              class="shown"
               .ink=${preview?.seen ?? (paper ? inkOf(paper) : null)}
               .missing=${preview?.missing ?? null}
               .pen=${locked || busy ? null : FIRST_PEN}

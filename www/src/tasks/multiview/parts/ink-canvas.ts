@@ -1,6 +1,6 @@
 /** A sheet of ink to look at, and to draw on with mouse, pen, finger or keys. */
 
-import { css, html, nothing, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
 import { PAPER_PX } from "../drawing/paper";
@@ -8,6 +8,7 @@ import { PLAIN } from "../../../view/paint";
 import { pageColours } from "../../../view/colours";
 import { Part } from "../../../view/part";
 import { controls } from "../../../ui/shared/shared";
+import { inkCanvasStyle } from "./ink-canvas-style";
 
 export interface Pen {
   readonly erase: boolean;
@@ -53,53 +54,7 @@ export class InkCanvas extends Part {
   private at: readonly [number, number] = [PAPER_PX / 2, PAPER_PX / 2];
   private readonly forced = matchMedia("(forced-colors: active)");
 
-  static override styles = [
-    controls,
-    css`
-      :host {
-        display: block;
-        position: relative;
-        aspect-ratio: 1;
-        overflow: hidden;
-      }
-      .sheet,
-      canvas {
-        position: absolute;
-        inset: 0;
-        display: block;
-        width: 100%;
-        height: 100%;
-      }
-      .sheet:focus-visible {
-        outline-offset: -3px;
-      }
-      .drawing {
-        cursor: crosshair;
-      }
-      .fingers {
-        touch-action: none;
-      }
-      .cursor {
-        position: absolute;
-        left: 50%;
-        top: 50%;
-        width: 24px;
-        height: 24px;
-        margin: -12px;
-        border: 2px solid var(--copper);
-        border-radius: 50%;
-        box-shadow: 0 0 0 1.5px var(--raised);
-        pointer-events: none;
-        opacity: 0;
-      }
-      .sheet:focus-visible .cursor {
-        opacity: 1;
-      }
-      .cursor.down {
-        background: var(--copper);
-      }
-    `,
-  ];
+  static override styles = [controls, inkCanvasStyle];
 
   override connectedCallback(): void {
     super.connectedCallback();

@@ -1,9 +1,10 @@
-import { css, html, LitElement, nothing } from "lit";
+import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../../../ui/shared/icons";
 import { dialogStyle } from "../../../ui/shared/dialog-style";
 import { controls } from "../../../ui/shared/shared";
 import { tell } from "./subject-events";
+import { cameraDialogStyle } from "./camera-dialog-style";
 
 type Phase = "asking" | "live" | "failed";
 
@@ -21,69 +22,7 @@ export class CameraDialog extends LitElement {
   @query("video") private video!: HTMLVideoElement;
   private stream: MediaStream | null = null;
 
-  static override styles = [
-    controls,
-    dialogStyle,
-    css`
-      dialog {
-        width: min(640px, calc(100vw - 32px));
-      }
-      .all {
-        display: grid;
-        gap: 16px;
-        padding: 16px 24px 24px;
-      }
-      h2 {
-        font-size: 20px;
-        color: var(--ink);
-      }
-      p {
-        margin: 0;
-      }
-      .view {
-        position: relative;
-        display: grid;
-        place-items: center;
-        aspect-ratio: 4 / 3;
-        max-height: 60dvh;
-        min-width: 0;
-        overflow: hidden;
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        background: var(--paper);
-      }
-      video {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        object-fit: contain;
-      }
-      .view p {
-        padding: 24px;
-        max-width: 44ch;
-        text-align: center;
-        text-wrap: balance;
-      }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-      }
-      .buttons .primary {
-        margin-inline-start: auto;
-        min-width: 112px;
-      }
-      @media (max-width: 479px) {
-        .all {
-          padding: 16px;
-        }
-        .view {
-          aspect-ratio: 3 / 4;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, dialogStyle, cameraDialogStyle];
 
   override render() {
     const { phase, problem, cameras } = this;

@@ -1,4 +1,4 @@
-import { css, html, LitElement, type TemplateResult } from "lit";
+import { html, LitElement, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { remembered } from "../../../state/common/remember";
 import type { Brush, MaskStroke, Subject } from "../given";
@@ -9,6 +9,7 @@ import { segmented, segmentedStyle } from "../../../ui/shared/segmented";
 import { controls } from "../../../ui/shared/shared";
 import "./subject-canvas";
 import { tell } from "./subject-events";
+import { maskEditorStyle } from "./mask-editor-style";
 
 /** Percent of the picture's longer side. */
 const WIDTH = { least: 1, most: 25 };
@@ -33,54 +34,7 @@ export class MaskEditor extends LitElement {
   private readonly narrow = matchMedia(NARROW);
   private brush: Brush = { adds: true, width: FIRST_WIDTH / 100 };
 
-  static override styles = [
-    controls,
-    segmentedStyle,
-    sheetAndTools,
-    css`
-      .room {
-        container-type: normal;
-        position: relative;
-        place-items: stretch;
-      }
-      subject-canvas {
-        position: absolute;
-        inset: 0;
-        transition: opacity 150ms ease;
-      }
-      subject-canvas::part(frame) {
-        border: 1px solid var(--line);
-        border-radius: 6px;
-        box-shadow: var(--shadow);
-      }
-      .busy subject-canvas {
-        opacity: 0.4;
-      }
-      .side {
-        grid-template-rows: minmax(0, 1fr);
-      }
-      .field label {
-        font-size: 13px;
-        color: var(--quiet);
-      }
-      @container (max-width: 639px) {
-        .body {
-          grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
-          gap: 16px;
-        }
-        .panel {
-          gap: 12px;
-          padding-block-end: 16px;
-        }
-        .panel .fine {
-          display: none;
-        }
-        .panel .status {
-          min-height: 20px;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, segmentedStyle, sheetAndTools, maskEditorStyle];
 
   override connectedCallback(): void {
     super.connectedCallback();

@@ -1,6 +1,6 @@
 /** A picture with its object in full colour and all else veiled; to be tapped, or painted on with mouse, pen, finger or keys. */
 
-import { css, html, nothing, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
 import type { KeptPicture } from "../../../state/picture/picture";
@@ -10,6 +10,7 @@ import { PLAIN } from "../../../view/paint";
 import { Part } from "../../../view/part";
 import { controls } from "../../../ui/shared/shared";
 import { outline, SOFT_LEVEL, softened } from "./outline";
+import { subjectCanvasStyle } from "./subject-canvas-style";
 
 /** A place in the picture, in shares of its width and height. */
 export type Place = readonly [x: number, y: number];
@@ -58,83 +59,7 @@ export class SubjectCanvas extends Part {
   private readonly sizes = new ResizeObserver(() => this.repaint());
   private readonly forced = matchMedia("(forced-colors: active)");
 
-  static override styles = [
-    controls,
-    css`
-      :host {
-        display: grid;
-        place-items: center;
-        container-type: size;
-      }
-      .frame {
-        position: relative;
-        width: min(100cqw, 100cqh * var(--aspect, 1));
-        aspect-ratio: var(--aspect, 1);
-        overflow: hidden;
-      }
-      .frame:focus-visible {
-        outline-offset: -3px;
-      }
-      canvas {
-        position: absolute;
-        inset: 0;
-        display: block;
-        width: 100%;
-        height: 100%;
-      }
-      /* Pictures with holes are on white paper for the wire, too. */
-      #picture {
-        background: #fff;
-        forced-color-adjust: none;
-      }
-      .tappable {
-        cursor: pointer;
-      }
-      .paintable {
-        cursor: none;
-        touch-action: none;
-      }
-      .ring {
-        position: absolute;
-        min-width: 10px;
-        aspect-ratio: 1;
-        translate: -50% -50%;
-        border: 2px solid var(--copper);
-        border-radius: 50%;
-        outline: 1.5px solid var(--raised);
-        box-shadow: inset 0 0 0 1.5px var(--raised);
-        pointer-events: none;
-        opacity: 0;
-      }
-      .ring.takes {
-        border-style: dashed;
-        border-color: var(--ink);
-      }
-      .ring::before,
-      .ring.adds::after {
-        content: "";
-        position: absolute;
-        inset: 0;
-        margin: auto;
-        width: 9px;
-        height: 2px;
-        background: var(--ink);
-        box-shadow: 0 0 0 1px var(--raised);
-      }
-      .ring.adds::after {
-        rotate: 90deg;
-      }
-      .paintable:is(:hover, :focus-visible) .ring {
-        opacity: 1;
-      }
-      @media (forced-colors: active) {
-        .ring {
-          forced-color-adjust: none;
-          border-color: Highlight;
-        }
-      }
-    `,
-  ];
+  static override styles = [controls, subjectCanvasStyle];
 
   override connectedCallback(): void {
     super.connectedCallback();

@@ -8,7 +8,8 @@ import { icons } from "../../../ui/shared/icons";
 import { segmented, segmentedStyle } from "../../../ui/shared/segmented";
 import { chosenFile, Landing, problemOver } from "../../../ui/shared/drop";
 import { controls } from "../../../ui/shared/shared";
-import { padStyle } from "./pad-style";
+import { padStyle } from "../../../ui/shared/pad-style";
+import { subjectPadStyle } from "./subject-pad-style";
 import { tell } from "./subject-events";
 import "./subject-canvas";
 import { MOST_NUMBERS, type Place } from "./subject-canvas";
@@ -36,7 +37,7 @@ export class SubjectPad extends Part {
   @query("#depth-file") private depthFile!: HTMLInputElement;
   private readonly hasCamera = "mediaDevices" in navigator;
 
-  static override styles = [controls, segmentedStyle, foldStyle, problemOver, padStyle];
+  static override styles = [controls, segmentedStyle, foldStyle, problemOver, padStyle, subjectPadStyle];
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     // The same may go wrong twice.
@@ -58,11 +59,11 @@ export class SubjectPad extends Part {
       >
         <div class="head">
           <h2>Picture</h2>
-          <span class="name small quiet" title=${subject?.picture.name ?? nothing}>${subject?.picture.name}</span>
+          <span class="aside small quiet" title=${subject?.picture.name ?? nothing}>${subject?.picture.name}</span>
         </div>
         <div class="row">
           <div class="sheet">
-            <subject-canvas .subject=${subject} name=${this.described()} @tap=${this.tapped}></subject-canvas>
+            <subject-canvas class="shown" .subject=${subject} name=${this.described()} @tap=${this.tapped}></subject-canvas>
             ${subject || busy ? nothing : this.invitation()}
             ${this.landing.over ? html`<div class="landing">Drop it here</div>` : nothing}
             ${problem && problem !== this.readProblem
@@ -160,7 +161,7 @@ export class SubjectPad extends Part {
   private depth({ picture: { width, height }, depth }: Subject) {
     const { locked } = this;
     return html`<details>
-      <summary><span class="small">Depth picture</span><span class="name small quiet">${depth ? depth.name : "none"}</span>${icons.more}</summary>
+      <summary><span class="small">Depth picture</span><span class="aside small quiet">${depth ? depth.name : "none"}</span>${icons.more}</summary>
       <div class="group">
         <p class="small quiet">
           Where you have one, it says how near each place is: light is near, dark is far. It must have the picture's size, ${width} × ${height}.

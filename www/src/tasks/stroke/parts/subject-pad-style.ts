@@ -1,70 +1,8 @@
-/** How the pad looks: a sheet with three tools below it, or beside it on a phone. */
+/** How the pad for one picture looks, besides what pads share: three tools below the sheet, or beside it on a phone. */
 
 import { css } from "lit";
 
-export const padStyle = css`
-  :host {
-    display: block;
-    container-type: inline-size;
-    min-width: 0;
-  }
-  .head {
-    display: flex;
-    align-items: center;
-    gap: 8px;
-    min-height: 32px;
-  }
-  h2 {
-    color: var(--ink);
-  }
-  .name {
-    flex: 1;
-    min-width: 0;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
-  }
-  .row {
-    display: grid;
-    grid-template-columns: minmax(0, 1fr);
-    gap: 8px;
-  }
-  .sheet {
-    position: relative;
-    aspect-ratio: 1;
-    overflow: hidden;
-    border: 1px solid var(--line);
-    border-radius: 6px;
-    background: var(--raised);
-    box-shadow: var(--shadow);
-    transition: border-color 150ms ease;
-  }
-  .over .sheet {
-    border-color: var(--copper);
-    outline: 2px solid var(--copper);
-  }
-  subject-canvas {
-    position: absolute;
-    inset: 0;
-    transition: opacity 150ms ease;
-  }
-  .busy subject-canvas {
-    opacity: 0.4;
-  }
-  .invitation {
-    position: absolute;
-    inset: 0;
-    display: grid;
-    place-content: center;
-    justify-items: center;
-    gap: 12px;
-    margin: 8px;
-    border: 1.5px dashed var(--line-strong);
-    border-radius: 4px;
-    padding: 8px;
-    text-align: center;
-    text-wrap: balance;
-  }
+export const subjectPadStyle = css`
   .invitation p {
     margin: 0;
   }
@@ -137,7 +75,7 @@ export const padStyle = css`
   summary {
     min-height: 36px;
   }
-  summary .name {
+  summary .aside {
     text-align: end;
   }
   summary svg.icon {

@@ -1,0 +1,47 @@
+/** What people drop, paste or follow: brought to whoever takes it. */
+
+import { fragmentIn } from "../address/pasted";
+import { DURING_A_RUN } from "../common/words";
+import type { Bench } from "../contract/bench";
+import type { Taker, Task } from "../contract/task";
+import { sortFiles } from "./files";
+import type { Opener } from "./opener";
+
+export class Receiver {
+  constructor(
+    private readonly bench: Bench,
+    private readonly tasks: readonly Task[],
+    private readonly opener: Opener,
+    private readonly taker: (task: string) => Taker,
+  ) {}
+
+  /** Pictures to where the task wants them, a mesh to a task that takes it, a wire onto the stage. `folders` names what is no file. */
+  async files(files: readonly File[], folders: readonly string[] = []): Promise<void> {
+    if (this.bench.busy || files.length === 0) return;
+    const { takes } = this.task;
+    const { meshes, pictures, wire, note } = sortFiles(files, folders, takes.pictures, takes.meshes);
+    this.bench.warn(note);
+    if (wire && pictures.length === 0 && meshes.length === 0) await this.opener.file(wire);
+    const elsewhere = meshes.length && !takes.meshes ? this.tasks.find(({ takes }) => takes.meshes) : undefined;
+    if (elsewhere) this.opener.turnTo(elsewhere.name);
+    await this.taker(this.bench.doc.task).take({ meshes, pictures: elsewhere ? [] : pictures });
+  }
+
+  /** A link is opened, for any other text there is a better place. */
+  text(text: string): void {
+    if (this.bench.busy || !text.trim()) return;
+    const hash = fragmentIn(text);
+    if (hash) void this.fragment(hash);
+    else this.bench.warn(this.task.words.text);
+  }
+
+  /** Shows what an address asks for. */
+  async fragment(hash: string): Promise<void> {
+    if (this.bench.busy) this.bench.warn(DURING_A_RUN);
+    else if (!(await this.opener.fragment(hash))) await this.opener.example();
+  }
+
+  private get task(): Task {
+    return this.tasks.find(({ name }) => name === this.bench.doc.task)!;
+  }
+}

@@ -1,0 +1,47 @@
+/** How painting on a picture looks, besides what editors share. */
+
+import { css } from "lit";
+
+export const maskEditorStyle = css`
+  .room {
+    container-type: normal;
+    position: relative;
+    place-items: stretch;
+  }
+  subject-canvas {
+    position: absolute;
+    inset: 0;
+    transition: opacity 150ms ease;
+  }
+  subject-canvas::part(frame) {
+    border: 1px solid var(--line);
+    border-radius: 6px;
+    box-shadow: var(--shadow);
+  }
+  .busy subject-canvas {
+    opacity: 0.4;
+  }
+  .side {
+    grid-template-rows: minmax(0, 1fr);
+  }
+  .field label {
+    font-size: 13px;
+    color: var(--quiet);
+  }
+  @container (max-width: 639px) {
+    .body {
+      grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
+      gap: 16px;
+    }
+    .panel {
+      gap: 12px;
+      padding-block-end: 16px;
+    }
+    .panel .fine {
+      display: none;
+    }
+    .panel .status {
+      min-height: 20px;
+    }
+  }
+`;
