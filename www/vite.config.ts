@@ -19,10 +19,9 @@ const contentSecurityPolicy: Plugin = {
 
 /**
  * What every visit needs of state and of tasks is one script: in pieces it would be larger. Elements come by the columns
- * that they are in; and later, what is only wanted later.
+ * that they are in, and later comes what is only wanted later.
  */
-const isOfStudio = (id: string): boolean =>
-  /\/src\/(state|tasks)\//.test(id) && !/\.test\.|\/parts\/|\/(example|help|png16|rare|samples|engine|mesh-files|fit)\b|\/drawing\/(word|shelf)|\?(url|raw)|\.(json|png|code)$/.test(id);
+const isOfStudio = (id: string): boolean => /\/src\/(state|tasks)\/.*\.ts$/.test(id) && !/\/(parts|example|engine)\/|\/(help|png16|rare)\./.test(id);
 
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({

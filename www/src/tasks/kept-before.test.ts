@@ -1,10 +1,11 @@
 import { expect, it } from "vitest";
 import { docOf, partsOf } from "../state/keeping/keep";
-import { by } from "../state/contract/state";
 import { before, runBefore } from "./kept-before";
-import { TASKS } from "./registry";
+import { fill } from "./fill/task";
+import { multiview } from "./multiview/task";
+import { stroke } from "./stroke/task";
 
-const FORMS = by(TASKS, ({ form }) => form);
+const FORMS = { multiview: multiview.form, stroke: stroke.form, fill: fill.form };
 const finished = { code: "AB" };
 const run = { settings: { seed: "5" }, iterations: 600, losses: [[0, 1]], events: [{ iteration: 600, kind: "done", count: 0 }] };
 const snapshots = [{ iteration: 600, iterations: 600, loss: 0.1, wire: {}, checkpoint: new Blob() }];

@@ -74,7 +74,7 @@ export interface Task<Given = unknown, Passing extends object = object, Takes ex
   labels(given: Given): readonly string[];
   /** What is given as the task's engine takes it. */
   work(given: Given): Promise<unknown>;
-  example(engine: EngineClient): Promise<Example<Given>>;
+  example?(engine: EngineClient): Promise<Example<Given>>;
   /** What a wire of a run amounts to, and what to try. */
   verdict(made: Made): string;
   open(bench: Bench): Takes;

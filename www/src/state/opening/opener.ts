@@ -104,7 +104,7 @@ export class Opener {
     const { engine, project, store, doc } = this.bench;
     const task = this.task(doc.task);
     const { name } = task;
-    if (!this.untouched(name)) return;
+    if (!task.example || !this.untouched(name)) return;
     try {
       const { code, given, measured } = await task.example(engine);
       // Unless the person was quicker.

@@ -58,7 +58,7 @@ export const fill: PageTask<Cover | null, Passing, CoverTaker> = {
   suffices: (cover) => cover !== null,
   labels: (cover) => [cover ? meshName(cover.mesh) : ""],
   work: (cover) => workOf(cover!),
-  example: async () => (await import("./example")).example(),
+  example: async () => (await import("./example/example")).example(),
   verdict,
   stale: ({ stale }) => stale,
   wire: ({ stale, curve, ofThisMesh }, made) => (stale !== "way" ? made : (curve ?? (ofThisMesh ? made : null))),

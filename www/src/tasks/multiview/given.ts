@@ -1,6 +1,6 @@
 /** What a person gives: a drawing a pad. Immutable, without elements. */
 
-import { isBlank, type Paper } from "./drawing/paper";
+import { isBlank, type Paper } from "./paper";
 
 /** The pads, in the run's order. */
 export const SLOTS = ["front", "side", "top"] as const;

@@ -6,7 +6,7 @@ import { givenFor, passingOf, QUIET, type PadState, type TaskState } from "../..
 import type { Files, Taker } from "../../state/contract/task";
 import { deskOf, withGiven } from "../../state/keeping/document";
 import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
-import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./drawing/paper";
+import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./paper";
 import { SLOTS, type Papers, type Slot } from "./given";
 import { Previewer, type PadRemedy, type PreviewState } from "./previewer";
 import type { Reading } from "./protocol";

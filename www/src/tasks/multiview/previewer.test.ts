@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Problem } from "../../engine/client";
 import type { Preview } from "../../engine/protocol";
-import type { Paper } from "./drawing/paper";
+import type { Paper } from "./paper";
 import { NO_PAPERS, type Slot } from "./given";
 import { NO_PREVIEW, Previewer, type PreviewState, type Wanted } from "./previewer";
 import type { Drawing } from "./protocol";

@@ -3,7 +3,7 @@
 import type { BendPreview, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
 import { nextTurn } from "../../state/common/next-turn";
 import { explain } from "../../state/common/words";
-import { drawingOf, isBlank } from "./drawing/paper";
+import { drawingOf, isBlank } from "./paper";
 import { laidOut, SLOTS, type Papers, type Slot } from "./given";
 import type { Drawing } from "./protocol";
 

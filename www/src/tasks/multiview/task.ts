@@ -3,7 +3,7 @@
 import { nextTurn } from "../../state/common/next-turn";
 import { QUIET } from "../../state/contract/state";
 import type { PageTask } from "../../ui/shared/page-task";
-import { drawingOf } from "./drawing/paper";
+import { drawingOf } from "./paper";
 import { laidOut, NO_PAPERS, sheetsOf, SLOTS, type Papers } from "./given";
 import { NO_PREVIEW } from "./previewer";
 import type { Drawing } from "./protocol";
@@ -58,7 +58,7 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
     }
     return drawings;
   },
-  example: async (engine) => (await import("./example")).example(engine),
+  example: async (engine) => (await import("./example/example")).example(engine),
   verdict,
   open: (bench) => new Pads(bench, multiview),
   parts: () => import("./parts/parts"),

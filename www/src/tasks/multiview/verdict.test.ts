@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Finished, Target, ViewMeasures } from "../../engine/protocol";
 import type { Made } from "../../state/keeping/document";
 import { freshTrack } from "../../state/keeping/track";
-import { PAPER_PX, type Paper } from "./drawing/paper";
+import { PAPER_PX, type Paper } from "./paper";
 import { NO_PAPERS, type Papers } from "./given";
 import { verdict } from "./verdict";
 

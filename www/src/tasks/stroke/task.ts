@@ -53,7 +53,7 @@ export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
     const mask = maskOf(subject!);
     return { picture: await pixelsOf(picture), mask, depth: depth && (await pixelsOf(depth)) };
   },
-  example: async () => (await import("./example")).example(),
+  example: async () => (await import("./example/example")).example(),
   verdict,
   open: (bench) => new SubjectTaker(bench, stroke),
   parts: () => import("./parts/parts"),

@@ -5,7 +5,7 @@ import { givenFor, passingOf } from "../../../state/contract/state";
 import { SLOTS, type Slot } from "../given";
 import { movedBy } from "../placement";
 import { multiview } from "../task";
-import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../drawing/paper";
+import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../paper";
 import type { Studio, StudioState } from "../../../state/studio";
 import { percent } from "../../../state/common/words";
 import { Part } from "../../../view/part";

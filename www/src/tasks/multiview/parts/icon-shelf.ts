@@ -1,12 +1,12 @@
 import { html, LitElement, nothing, svg, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { find } from "../drawing/shelf";
-import type { Shape, ShelfIcon } from "../drawing/shelf-icons";
+import { find } from "./drawing/shelf";
+import type { Shape, ShelfIcon } from "./drawing/shelf-icons";
 import { icons } from "../../../ui/shared/icons";
 import { controls } from "../../../ui/shared/shared";
 import { iconShelfStyle } from "./icon-shelf-style";
 
-type Shelf = typeof import("../drawing/shelf-icons");
+type Shelf = typeof import("./drawing/shelf-icons");
 
 export interface TakenIcon {
   readonly name: string;
@@ -54,7 +54,7 @@ export class IconShelf extends LitElement {
   private async load(): Promise<void> {
     this.failed = false;
     try {
-      this.shelf ??= await import("../drawing/shelf-icons");
+      this.shelf ??= await import("./drawing/shelf-icons");
     } catch {
       this.failed = true;
     }

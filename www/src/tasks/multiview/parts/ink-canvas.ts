@@ -3,7 +3,7 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
-import { PAPER_PX } from "../drawing/paper";
+import { PAPER_PX } from "../paper";
 import { PLAIN } from "../../../view/paint";
 import { pageColours } from "../../../view/colours";
 import { Part } from "../../../view/part";

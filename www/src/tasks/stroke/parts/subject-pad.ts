@@ -1,6 +1,6 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { paintSample, sampleFile, SAMPLES, type Sample } from "../samples";
+import { paintSample, sampleFile, SAMPLES, type Sample } from "../example/samples";
 import { objectAt, type Subject } from "../given";
 import { Part } from "../../../view/part";
 import { foldStyle } from "../../../ui/shared/fold";

@@ -1,11 +1,11 @@
 /** Several drawings, in the worker. */
 
-import { bytesOf, ink, loaded, pulled, taken } from "../../engine/core";
-import type { Picture, Placed, Preview, SettingValues } from "../../engine/protocol";
-import type { TaskEngine } from "../../engine/task-engine";
-import * as wasm from "../../engine/wasm/wire4d";
+import { bytesOf, ink, loaded, pulled, taken } from "../../../engine/core";
+import type { Picture, Placed, Preview, SettingValues } from "../../../engine/protocol";
+import type { TaskEngine } from "../../../engine/task-engine";
+import * as wasm from "../../../engine/wasm/wire4d";
 import { fitted } from "./fit";
-import type { Drawing, FoundInk, Reading } from "./protocol";
+import type { Drawing, FoundInk, Reading } from "../protocol";
 
 export const engine: TaskEngine<readonly Drawing[]> = {
   task: "multiview",

@@ -1,10 +1,10 @@
 /** A mesh that a wire covers, in the worker, which keeps the one that was last looked at. */
 
-import { bytesOf, ink, loaded, own, pulled, shape } from "../../engine/core";
-import type { TaskEngine } from "../../engine/task-engine";
-import * as wasm from "../../engine/wasm/wire4d";
+import { bytesOf, ink, loaded, own, pulled, shape } from "../../../engine/core";
+import type { TaskEngine } from "../../../engine/task-engine";
+import * as wasm from "../../../engine/wasm/wire4d";
 import { readMesh } from "./mesh-files";
-import type { FillWork, FoundSurface, Mesh, Up } from "./protocol";
+import type { FillWork, FoundSurface, Mesh, Up } from "../protocol";
 
 /** What is told of a surface is kept beside it, since nobody may look at it while a run holds it. It keeps its last curve. */
 interface Opened {

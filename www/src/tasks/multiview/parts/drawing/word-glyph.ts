@@ -1,6 +1,6 @@
 /** Ink out of written glyphs: letters as they are; what brings its own colours, such as emoji, as a line drawing. */
 
-import { stroke, type PenLine } from "../../../state/picture/ink";
+import { stroke, type PenLine } from "../../../../state/picture/ink";
 
 type Rgba = Uint8ClampedArray;
 

@@ -3,7 +3,7 @@
 import nodes from "lucide-static/icon-nodes.json";
 import licence from "lucide-static/LICENSE?raw";
 import tags from "lucide-static/tags.json";
-import { PAPER_PX } from "./paper";
+import { PAPER_PX } from "../../paper";
 import type { Icon } from "./shelf";
 
 /** Side of the square that the shapes are in. */

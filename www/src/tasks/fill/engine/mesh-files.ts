@@ -1,8 +1,8 @@
 /** The wasm module that reads mesh files: fetched when somebody brings one. Only for the worker. */
 
-import type { Up } from "./protocol";
-import init, { MeshFile } from "../../engine/wasm/wire4d_model";
-import moduleUrl from "../../engine/wasm/wire4d_model_bg.wasm?url";
+import type { Up } from "../protocol";
+import init, { MeshFile } from "../../../engine/wasm/wire4d_model";
+import moduleUrl from "../../../engine/wasm/wire4d_model_bg.wasm?url";
 
 /** What the main module takes. */
 export interface ReadMesh {

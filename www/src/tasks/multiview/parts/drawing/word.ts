@@ -1,6 +1,6 @@
 /** A word, letters of any script or an emoji as a stamp: written with the fonts of this device, as large as the sheet lets it. */
 
-import { PAPER_PX } from "./paper";
+import { PAPER_PX } from "../../paper";
 import { glyphInk } from "./word-glyph";
 import { graphemes, layOut } from "./word-layout";
 

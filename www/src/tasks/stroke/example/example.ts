@@ -4,12 +4,12 @@
  * Loaded when the task is first looked at.
  */
 
-import { codeAt } from "../../state/common/fetched";
-import type { Example } from "../../state/contract/task";
-import { kept, readPicture } from "../../state/picture/picture";
-import measured from "./example/views.json";
-import codeUrl from "./example/wire.code?url";
-import type { Subject } from "./given";
+import { codeAt } from "../../../state/common/fetched";
+import type { Example } from "../../../state/contract/task";
+import { kept, readPicture } from "../../../state/picture/picture";
+import measured from "./views.json";
+import codeUrl from "./wire.code?url";
+import type { Subject } from "../given";
 import { sampleFile, SAMPLES } from "./samples";
 
 const SAMPLE = "Mug";

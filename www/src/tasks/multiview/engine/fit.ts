@@ -1,6 +1,6 @@
 /** Pictures fitted onto square sheets, in plain arithmetic, the same in every browser. */
 
-import type { Ink } from "../../engine/protocol";
+import type { Ink } from "../../../engine/protocol";
 
 /** Room left around a fitted picture, as a share of the sheet's side. */
 const MARGIN = 0.04;

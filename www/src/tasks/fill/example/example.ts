@@ -3,10 +3,10 @@
  * as a share code (what the page's own link carries). Loaded when the task is first looked at.
  */
 
-import { codeAt } from "../../state/common/fetched";
-import type { Example } from "../../state/contract/task";
-import codeUrl from "./example/wire.code?url";
-import type { Cover } from "./given";
+import { codeAt } from "../../../state/common/fetched";
+import type { Example } from "../../../state/contract/task";
+import codeUrl from "./wire.code?url";
+import type { Cover } from "../given";
 
 const COVER: Cover = { mesh: { shape: "creature" }, style: "petals" };
 

@@ -1,8 +1,8 @@
 /** A pad's drawing: layers of ink on a square sheet, and what may be done to it. Immutable: every change is a new sheet. */
 
-import type { KeptPicture } from "../../../state/picture/picture";
-import type { Drawing, FoundInk, Reading } from "../protocol";
-import { laid, laidPoints, over, quarters, stroke, thinned, type Lay, type PenLine } from "../../../state/picture/ink";
+import type { KeptPicture } from "../../state/picture/picture";
+import type { Drawing, FoundInk, Reading } from "./protocol";
+import { laid, laidPoints, over, quarters, stroke, thinned, type Lay, type PenLine } from "../../state/picture/ink";
 
 /** Side of a sheet, px; y down. */
 export const PAPER_PX = 512;

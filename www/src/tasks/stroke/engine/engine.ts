@@ -1,10 +1,10 @@
 /** One picture, in the worker. */
 
-import { bytesOf, ink, loaded, own, pulled, taken } from "../../engine/core";
-import type { Picture } from "../../engine/protocol";
-import type { TaskEngine } from "../../engine/task-engine";
-import * as wasm from "../../engine/wasm/wire4d";
-import type { FoundObject, StrokeWork } from "./protocol";
+import { bytesOf, ink, loaded, own, pulled, taken } from "../../../engine/core";
+import type { Picture } from "../../../engine/protocol";
+import type { TaskEngine } from "../../../engine/task-engine";
+import * as wasm from "../../../engine/wasm/wire4d";
+import type { FoundObject, StrokeWork } from "../protocol";
 
 export const engine: TaskEngine<StrokeWork> = {
   task: "stroke",

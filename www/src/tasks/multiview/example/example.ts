@@ -4,17 +4,17 @@
  * Read without the core, so that it is there at once.
  */
 
-import type { EngineClient } from "../../engine/client";
-import { sheetOf } from "../../engine/sheet";
-import { codeAt, fetched } from "../../state/common/fetched";
-import type { Example } from "../../state/contract/task";
-import type { Paper } from "./drawing/paper";
-import front from "./example/front.png?url";
-import side from "./example/side.png?url";
-import top from "./example/top.png?url";
-import measured from "./example/views.json";
-import codeUrl from "./example/wire.code?url";
-import { SLOTS, type Papers, type Slot } from "./given";
+import type { EngineClient } from "../../../engine/client";
+import { sheetOf } from "../../../engine/sheet";
+import { codeAt, fetched } from "../../../state/common/fetched";
+import type { Example } from "../../../state/contract/task";
+import type { Paper } from "../paper";
+import front from "./front.png?url";
+import side from "./side.png?url";
+import top from "./top.png?url";
+import measured from "./views.json";
+import codeUrl from "./wire.code?url";
+import { SLOTS, type Papers, type Slot } from "../given";
 
 /** `tests/drawings/t01-animals`, each already on its sheet. */
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {

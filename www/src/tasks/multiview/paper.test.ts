@@ -1,4 +1,4 @@
-import { fitted } from "../fit";
+import { fitted } from "./engine/fit";
 import { describe, expect, it } from "vitest";
 import { compose, drawingOf, isBlank, mirrored, PAPER_PX, turned, withStamp, withStroke, type Paper } from "./paper";
 
