@@ -110,9 +110,12 @@ it("loads no element of a task before it is looked at", () => {
 });
 
 describe("a task's name", () => {
-  /** Words of a task as a name: a string of its own, or a key of a record. Settings have groups of like names. */
   const NAMES = ["multiview", "stroke", "fill"];
-  const naming = (text: string): string[] => NAMES.filter((name) => new RegExp(`"${name}"`).test(text.replace(/group: .*|settings?\.?group.*/g, "")));
+  /** A name as a string of its own, or as the key of a record. Groups of settings have like names, and so do styles and canvases. */
+  const naming = (text: string): string[] => {
+    const code = text.replace(/css`[^`]*`|\/\*[^]*?\*\/|\/\/.*|readonly group: .*|GROUPS[^;]*;/g, "");
+    return NAMES.filter((name) => new RegExp(`["'\`]${name}["'\`]|[{,]\\s*${name}:|\\bdesks\\.${name}\\b|\\bgiven\\.${name}\\b`).test(code));
+  };
 
   it("stands in its own folder and nowhere else", () => {
     const rooms = files.filter((file) => !file.startsWith("tasks/") && !isTest(file) && !file.startsWith("engine/generated/"));
@@ -122,7 +125,8 @@ describe("a task's name", () => {
 
   it("would be noticed", () => {
     expect(naming(`if (task === "fill") return;`)).toEqual(["fill"]);
-    expect(naming(`readonly group: "run" | "stroke";`)).toEqual([]);
+    expect(naming(`const WORDS = { multiview: "Match", stroke: "Match" };`)).toEqual(["multiview", "stroke"]);
+    expect(naming(`readonly group: "run" | "stroke";\n context.fill(); // "fill" \n css\`rect { fill: none; }\``)).toEqual([]);
   });
 });
 

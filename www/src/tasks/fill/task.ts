@@ -47,6 +47,8 @@ export const fill: PageTask<Cover | null, Passing, CoverTaker> = {
   quiet: { ...QUIET, ...NO_COVER, ...NO_PLAN },
   takes: { pictures: 1, meshes: true },
   keeps: { settings: [], groups: ["views", "surface"] },
+  // There is no picture that could bend.
+  elsewhere: ["bend"],
   compared: [],
   form: {
     // A mesh may be large, and is not written again with every style.

@@ -1,4 +1,4 @@
-import { fitted } from "./engine/fit";
+import { centred } from "./engine/centred";
 import { describe, expect, it } from "vitest";
 import { compose, drawingOf, isBlank, mirrored, PAPER_PX, turned, withStamp, withStroke, type Paper } from "./paper";
 
@@ -13,7 +13,7 @@ function picture(width: number, height: number, ink: (x: number, y: number) => n
     kind: "picture",
     picture: { name: "cat.png", width, height, rgba: new Blob() },
     reading: { ink: "auto", threshold: 0 },
-    found: { width: PAPER_PX, height: PAPER_PX, ink: fitted({ width, height, ink: pixels }, PAPER_PX), polarity: "dark" },
+    found: { width: PAPER_PX, height: PAPER_PX, ink: centred({ width, height, ink: pixels }, PAPER_PX), polarity: "dark" },
     lay: { mirrored: false, quarterTurns: 0 },
   } as const;
   return { layers: [layer], label: "cat.png" };

@@ -42,6 +42,8 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
   quiet: { ...NO_PREVIEW, pads: { front: QUIET, side: QUIET, top: QUIET } },
   takes: { pictures: SLOTS.length, meshes: false },
   keeps: { settings: [], groups: ["views"] },
+  // Ink is found pad by pad.
+  elsewhere: ["bend", "ink"],
   compared: SLOTS,
   form: {
     parts: (papers) => ({ ...papers }),

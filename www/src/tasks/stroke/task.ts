@@ -40,6 +40,8 @@ export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
   quiet: QUIET,
   takes: { pictures: 1, meshes: false },
   keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["views", "stroke"] },
+  // An object is chosen where it is seen, and one picture has nothing to bend to.
+  elsewhere: ["object", "bend"],
   compared: ["front"],
   form: {
     parts: (subject) => ({ subject }),

@@ -113,6 +113,7 @@ export class WireApp extends LitElement {
               .studio=${studio}
               .table=${tableOf(now)}
               .settings=${deskOf(now.doc).settings}
+              .elsewhere=${task.elsewhere}
               .where=${now.where}
               .whenHidden=${now.whenHidden}
               ?locked=${!idle}

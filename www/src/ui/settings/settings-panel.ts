@@ -13,8 +13,8 @@ import { deviceOf } from "./device-words";
 import { presetOf } from "../../state/settings/values";
 import { rendererWord } from "../../state/address/renderer";
 
-/** The first two stand beside Run; ink is found pad by pad, and an object is chosen where it is seen. */
-const ELSEWHERE: readonly string[] = ["preset", "bend", "ink", "object"];
+/** Stands near Run, for every task. */
+const PRESET = "preset";
 
 /** The page's own, not the core's. */
 const HIDDEN_ROW: SettingRow = {
@@ -34,6 +34,8 @@ export class SettingsPanel extends Part {
   @property({ attribute: false }) table: SettingsTable | null = null;
   /** What differs from the preset. */
   @property({ attribute: false }) settings: SettingValues = {};
+  /** Settings that have a control elsewhere. */
+  @property({ attribute: false }) elsewhere: readonly string[] = [];
   @property({ attribute: false }) where: Whereabouts = ANYWHERE;
   @property() whenHidden: WhenHidden = "go";
   @property({ type: Boolean }) locked = false;
@@ -81,7 +83,7 @@ export class SettingsPanel extends Part {
   ];
 
   override render() {
-    const changed = Object.keys(this.settings).filter((name) => !ELSEWHERE.includes(name));
+    const changed = Object.keys(this.settings).filter((name) => this.isHere(name));
     return html`
       <div class="top">
         <h2>Settings</h2>
@@ -95,8 +97,12 @@ export class SettingsPanel extends Part {
     `;
   }
 
+  private isHere(name: string): boolean {
+    return name !== PRESET && !this.elsewhere.includes(name);
+  }
+
   private group(group: string, changed: readonly string[]) {
-    const rows = this.table!.rows.filter((row) => row.group === group && !ELSEWHERE.includes(row.name)).toSorted(byWords);
+    const rows = this.table!.rows.filter((row) => row.group === group && this.isHere(row.name)).toSorted(byWords);
     if (rows.length === 0) return nothing;
     const count = rows.filter((row) => changed.includes(row.name)).length;
     return html`<details @toggle=${() => (this.opened = new Set([...this.opened, group]))}>

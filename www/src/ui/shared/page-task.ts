@@ -73,6 +73,8 @@ export interface TaskParts {
 export interface PageTask<Given = unknown, Passing extends object = object, Takes extends Taker = Taker> extends Task<Given, Passing, Takes> {
   readonly page: PageWords;
   readonly stage: StageWords;
+  /** Settings with a control of their own where things are given, or near Run. */
+  readonly elsewhere: readonly string[];
   /** What of what is given no link carries, a sentence, or empty. */
   stays?(given: Given): string;
   parts(): Promise<{ readonly parts: TaskParts }>;

@@ -4,7 +4,7 @@ import { bytesOf, ink, loaded, pulled, taken } from "../../../engine/core";
 import type { Picture, Placed, Preview, SettingValues } from "../../../engine/protocol";
 import type { TaskEngine } from "../../../engine/task-engine";
 import * as wasm from "../../../engine/wasm/wire4d";
-import { fitted } from "./fit";
+import { centred } from "./centred";
 import type { Drawing, FoundInk, Reading } from "../protocol";
 
 export const engine: TaskEngine<readonly Drawing[]> = {
@@ -13,7 +13,7 @@ export const engine: TaskEngine<readonly Drawing[]> = {
     read: async ({ picture, reading, sidePx }) => {
       await loaded();
       const found = read(picture, reading);
-      return { ...found, width: sidePx, height: sidePx, ink: fitted(found, sidePx) };
+      return { ...found, width: sidePx, height: sidePx, ink: centred(found, sidePx) };
     },
     preview: async ({ drawings, settings }) => {
       await loaded();

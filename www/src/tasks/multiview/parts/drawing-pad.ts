@@ -3,7 +3,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
 import { givenFor, passingOf } from "../../../state/contract/state";
 import { SLOTS, type Slot } from "../given";
-import { movedBy } from "../placement";
+import { movedBy } from "../arrangement";
 import { multiview } from "../task";
 import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../paper";
 import type { Studio, StudioState } from "../../../state/studio";

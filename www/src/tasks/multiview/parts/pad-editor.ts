@@ -5,7 +5,7 @@ import { givenFor, passingOf } from "../../../state/contract/state";
 import type { Slot } from "../given";
 import type { Pads } from "../pads";
 import type { Reading } from "../protocol";
-import { movedBy } from "../placement";
+import { movedBy } from "../arrangement";
 import { multiview } from "../task";
 import { withStamp, withStroke, type Paper, type StampLayer } from "../paper";
 import type { Studio, StudioState } from "../../../state/studio";

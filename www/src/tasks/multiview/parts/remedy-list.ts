@@ -5,7 +5,7 @@ import { givenFor, passingOf } from "../../../state/contract/state";
 import type { Studio, StudioState } from "../../../state/studio";
 import { laidOut, SLOTS } from "../given";
 import type { PadRemedy, PreviewBySlot } from "../previewer";
-import { movedBy } from "../placement";
+import { movedBy } from "../arrangement";
 import { multiview } from "../task";
 import { percent } from "../../../state/common/words";
 import { Part } from "../../../view/part";

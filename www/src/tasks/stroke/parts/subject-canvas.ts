@@ -12,8 +12,8 @@ import { controls } from "../../../ui/shared/shared";
 import { outline, SOFT_LEVEL, softened } from "./outline";
 import { subjectCanvasStyle } from "./subject-canvas-style";
 
-/** A place in the picture, in shares of its width and height. */
-export type Place = readonly [x: number, y: number];
+/** A spot in the picture, in shares of its width and height. */
+export type Spot = readonly [x: number, y: number];
 
 /** More numbers than this would hide the picture. */
 export const MOST_NUMBERS = 9;
@@ -27,14 +27,14 @@ const VEIL = 0.82;
 const THIN_VEIL = 0.5;
 /** Between two lines of the ground's hatching, CSS px. */
 const HATCH_PX = 7;
-const ARROWS: Readonly<Record<string, Place>> = {
+const ARROWS: Readonly<Record<string, Spot>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
 
-/** Fires `tap` (a Place) where there is no brush, and `stroke` (a MaskStroke) where a stroke was finished. */
+/** Fires `tap` (a Spot) where there is no brush, and `stroke` (a MaskStroke) where a stroke was finished. */
 @customElement("subject-canvas")
 export class SubjectCanvas extends Part {
   @property({ attribute: false }) subject: Subject | null = null;
@@ -53,7 +53,7 @@ export class SubjectCanvas extends Part {
   private points: number[] = [];
   private pointer: number | null = null;
   /** The brush's place, for the keys. */
-  private at: Place = [0.5, 0.5];
+  private at: Spot = [0.5, 0.5];
   private frameDue = 0;
   private shown: KeptPicture | null = null;
   private readonly sizes = new ResizeObserver(() => this.repaint());
@@ -142,13 +142,13 @@ export class SubjectCanvas extends Part {
     });
   };
 
-  private place({ clientX, clientY }: MouseEvent): Place {
+  private spot({ clientX, clientY }: MouseEvent): Spot {
     const { left, top, width, height } = this.frame.getBoundingClientRect();
     return [(clientX - left) / width, (clientY - top) / height];
   }
 
   private tapped(event: MouseEvent): void {
-    if (this.subject) this.dispatchEvent(new CustomEvent<Place>("tap", { detail: this.place(event) }));
+    if (this.subject) this.dispatchEvent(new CustomEvent<Spot>("tap", { detail: this.spot(event) }));
   }
 
   private down(event: PointerEvent): void {
@@ -156,19 +156,19 @@ export class SubjectCanvas extends Part {
     this.finish();
     this.frame.setPointerCapture(event.pointerId);
     this.pointer = event.pointerId;
-    this.goTo(this.place(event), true);
+    this.goTo(this.spot(event), true);
   }
 
   private move(event: PointerEvent): void {
     if (!this.brush) return;
     const paints = event.pointerId === this.pointer;
     const parts = paints ? (event.getCoalescedEvents?.() ?? []) : [];
-    for (const part of parts.length > 0 ? parts : [event]) this.goTo(this.place(part), paints);
+    for (const part of parts.length > 0 ? parts : [event]) this.goTo(this.spot(part), paints);
   }
 
   private up(event: PointerEvent): void {
     if (event.pointerId !== this.pointer) return;
-    this.goTo(this.place(event), true);
+    this.goTo(this.spot(event), true);
     this.finish();
   }
 
@@ -198,10 +198,10 @@ export class SubjectCanvas extends Part {
   }
 
   /** Brings the brush to a place, painting on the way or not. */
-  private goTo(place: Place, paints: boolean): void {
-    this.at = place;
+  private goTo(spot: Spot, paints: boolean): void {
+    this.at = spot;
     this.placeRing();
-    if (paints) this.addPoint(place);
+    if (paints) this.addPoint(spot);
   }
 
   private placeRing(): void {
@@ -213,7 +213,7 @@ export class SubjectCanvas extends Part {
     ring.style.setProperty("width", `${(100 * brush.width * Math.max(width, height)) / width}%`);
   }
 
-  private addPoint([x, y]: Place): void {
+  private addPoint([x, y]: Spot): void {
     const { points, brush, subject } = this;
     if (!brush || !subject) return;
     const { width, height } = maskSize(subject);

@@ -12,7 +12,7 @@ import { padStyle } from "../../../ui/shared/pad-style";
 import { subjectPadStyle } from "./subject-pad-style";
 import { tell } from "./subject-events";
 import "./subject-canvas";
-import { MOST_NUMBERS, type Place } from "./subject-canvas";
+import { MOST_NUMBERS, type Spot } from "./subject-canvas";
 
 /** How far a tap may miss a thing, a share of the picture's longer side. */
 const REACH = 0.04;
@@ -173,7 +173,7 @@ export class SubjectPad extends Part {
     </details>`;
   }
 
-  private tapped({ detail: [x, y] }: CustomEvent<Place>): void {
+  private tapped({ detail: [x, y] }: CustomEvent<Spot>): void {
     const { subject, locked, busy } = this;
     if (!subject || locked || busy) return;
     const object = subject.found ? objectAt(subject.found, x, y, REACH) : 0;

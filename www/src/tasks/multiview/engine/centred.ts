@@ -1,12 +1,12 @@
-/** Pictures fitted onto square sheets, in plain arithmetic, the same in every browser. */
+/** Pictures laid onto the middle of square sheets, in plain arithmetic, the same in every browser. */
 
 import type { Ink } from "../../../engine/protocol";
 
-/** Room left around a fitted picture, as a share of the sheet's side. */
+/** Room left around such a picture, as a share of the sheet's side. */
 const MARGIN = 0.04;
 
 /** Ink scaled onto the middle of a square, as large as the margin lets it be, never stretched. */
-export function fitted({ width, height, ink }: Ink, side: number): Uint8Array<ArrayBuffer> {
+export function centred({ width, height, ink }: Ink, side: number): Uint8Array<ArrayBuffer> {
   const scale = (side * (1 - 2 * MARGIN)) / Math.max(width, height);
   // Even sides leave the same margin left and right, so that a turned sheet is the same sheet turned.
   const [across, down] = [width, height].map((length) => 2 * Math.max(1, Math.round((length * scale) / 2))) as [number, number];

@@ -5,7 +5,7 @@ import type { DrawingPreview } from "../../engine/protocol";
 import type { Slot } from "./given";
 
 /** Where a drawing went, as far as that is not simply where it was put. */
-export function placement(slot: string, target: Pick<DrawingPreview, "view" | "mirrored" | "quarterTurns">): string {
+export function arrangement(slot: string, target: Pick<DrawingPreview, "view" | "mirrored" | "quarterTurns">): string {
   const turned = ["", "turned left", "upside down", "turned right"][target.quarterTurns % 4]!;
   const seen = target.view.name === slot ? "" : `seen from the ${target.view.name}`;
   const words = [seen, target.mirrored ? "mirrored" : "", turned].filter(Boolean).join(", ");
@@ -13,4 +13,4 @@ export function placement(slot: string, target: Pick<DrawingPreview, "view" | "m
 }
 
 /** Where arranging took a drawing, as a short aside: "from the top, mirrored". */
-export const movedBy = (slot: Slot, preview: DrawingPreview): string => placement(slot, preview).replace(/^Seen f/, "F").replace(/\.$/, "").toLowerCase();
+export const movedBy = (slot: Slot, preview: DrawingPreview): string => arrangement(slot, preview).replace(/^Seen f/, "F").replace(/\.$/, "").toLowerCase();
