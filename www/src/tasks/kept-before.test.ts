@@ -69,4 +69,7 @@ it("keeps documents in parts, and puts them together again", () => {
   // What did not change is the same, and is not written again.
   const turned = partsOf({ ...doc, given: { ...doc.given, fill: { mesh, style: null } } }, FORMS);
   expect(Object.keys(turned).filter((name) => turned[name] !== parts[name])).toEqual(["given/fill/style"]);
+  // What is taken back is written over.
+  const none = partsOf({ task: "fill", given: { multiview: multiview.blank, stroke: null, fill: null }, desks: {} }, FORMS);
+  expect(Object.keys(none)).toEqual(Object.keys(parts));
 });

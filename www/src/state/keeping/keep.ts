@@ -2,7 +2,7 @@
 
 import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from "idb";
 import type { Snapshot } from "../../engine/protocol";
-import { EMPTY_DESK, type Desk, type Doc } from "./document";
+import { deskOf, EMPTY_DESK, type Desk, type Doc } from "./document";
 import type { Track } from "./track";
 
 /** A run under way; what it has come to so far lies in the snapshots. */
@@ -33,11 +33,12 @@ interface Schema extends DBSchema {
   snapshots: { key: number; value: Snapshot };
 }
 
-export function partsOf({ task, given, desks }: Doc, forms: Forms["byTask"]): Parts {
-  const parts: Record<string, unknown> = { task };
-  for (const [name, desk] of Object.entries(desks)) parts[`desk/${name}`] = desk;
+/** All of them, also of what is empty: it may not have been when it was written last. */
+export function partsOf(doc: Doc, forms: Forms["byTask"]): Parts {
+  const parts: Record<string, unknown> = { task: doc.task };
   for (const [name, form] of Object.entries(forms)) {
-    for (const [part, value] of Object.entries(form.parts(given[name]))) parts[`given/${name}/${part}`] = value;
+    parts[`desk/${name}`] = deskOf(doc, name);
+    for (const [part, value] of Object.entries(form.parts(doc.given[name]))) parts[`given/${name}/${part}`] = value;
   }
   return parts;
 }
