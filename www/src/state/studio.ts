@@ -25,7 +25,7 @@ export { deskOf, type Doc, type Made } from "./keeping/document";
 export { ANYWHERE, showsExample, tableOf, WHEN_HIDDEN, type PadState, type Phase, type Progress, type StudioState, type Whereabouts, type WhenHidden } from "./contract/state";
 export { INSTEAD } from "./run/placer";
 
-export interface Given {
+export interface Setup {
   /** The first is the one that people see who have not chosen. */
   readonly tasks: readonly Task[];
   /** How documents were kept before. */
@@ -52,7 +52,7 @@ export class Studio implements Parts {
   private forming: WireShape | null = null;
   private wire: WireShape | null = null;
 
-  constructor({ tasks, before, newWorker }: Given) {
+  constructor({ tasks, before, newWorker }: Setup) {
     this.tasks = tasks;
     const first = firstState(tasks);
     this.store = new Store<BaseState, StudioState>(first, (base) => stateOf(base, tasks));
