@@ -23,7 +23,7 @@ export function testBench(tasks: readonly TaskState[], engine: object, value: (n
     labels,
     change,
     engine: { listen: () => undefined, cancel: () => undefined, ...engine } as unknown as Bench["engine"],
-    project: { replace: change, amend: (how: (doc: Doc) => Doc) => change(how(store.get().doc)) } as Bench["project"],
+    project: { replace: change, amend: (how: (doc: Doc) => Doc) => change(how(store.get().doc)), ...KEEPS_NOTHING } as unknown as Bench["project"],
     settings: { value, set: () => undefined },
     get doc() {
       return store.get().doc;
@@ -41,6 +41,8 @@ export function testBench(tasks: readonly TaskState[], engine: object, value: (n
       store.set({ passing: { ...passing, [name]: { ...passing[name], ...changed } } });
     },
     run: (under) => store.set({ run: { ...NO_RUN, phase: under ? "running" : "idle" } }),
-    warn: () => undefined,
+    warn: (problem) => store.set({ problem }),
   };
 }
+
+const KEEPS_NOTHING = { beginRun: () => undefined, addSnapshot: () => undefined, endRun: () => undefined };
