@@ -4,6 +4,7 @@ use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
+use wire4d::picture::cut::SURE;
 use wire4d::picture::{GreyDepth, Picture, read_depth, read_picture};
 use wire4d::settings::Task;
 use wire4d::tasks::Run;
@@ -22,6 +23,9 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     pictures.flat_map(Picture::notes).for_each(|note| making.say(&note));
     let plan = stroke::plan(&given, &settings)?;
     plan.notes().iter().for_each(|note| making.say(note));
+    if plan.sure < SURE && given.bounds.is_none() {
+        making.say("Say which thing it is with --box X,Y,W,H, in pixels of the picture, or with --mask PICTURE");
+    }
     making.bar.set_message("Laying a first wire");
     let mask = plan.object.mask.clone();
     let mut run = Run::start(plan, &mut |_| true)?;

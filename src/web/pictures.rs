@@ -3,7 +3,7 @@
 use crate::json;
 use wasm_bindgen::prelude::*;
 use wire4d::picture::{Because, Picture, Polarity, Reading};
-use wire4d::settings::Settings;
+use wire4d::settings::{self, Settings};
 use wire4d::tasks::Placed;
 use wire4d::tasks::multiview::Drawing;
 use wire4d::view::Image;
@@ -47,9 +47,17 @@ pub fn read_ink(
 ) -> Result<FoundInk, JsError> {
     let mut settings = Settings::default();
     settings.set("ink", ink)?;
-    let reading = Reading { polarity: Polarity::from(settings.ink), threshold };
-    let (image, ground) = reading.of_drawing(&Picture::new(name, width, height, rgba)?)?;
-    let note = if ground.because == Because::Sheet { ground.words() } else { String::new() };
+    let picture = Picture::new(name, width, height, rgba)?;
+    let (image, ground) = if settings.ink == settings::Ink::Auto && threshold == 0.0 {
+        let (drawing, ground) = Drawing::new(&picture, None, &settings)?;
+        (drawing.ink, ground)
+    } else {
+        Reading { polarity: Polarity::from(settings.ink), threshold }.of_drawing(&picture)?
+    };
+    let note = match ground.because {
+        Because::Sheet | Because::Photograph | Because::Doubtful => ground.words(),
+        _ => String::new(),
+    };
     Ok(FoundInk { ink: Ink::new(&image), is_light: ground.polarity == Polarity::LightInk, note })
 }
 

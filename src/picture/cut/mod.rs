@@ -101,7 +101,7 @@ impl Cutter {
         }
         let stroked = !hints.object.is_empty() || !hints.ground.is_empty();
         if hints.bounds.is_none() && !stroked && guess.sure < SURE {
-            notes.push(format!("{name}: it is not clear which thing is meant; drag a box round it"));
+            notes.push(format!("{name}: it is not clear which thing is meant"));
         } else if hints.bounds.is_some() && !stroked && guess.sure < SURE {
             notes.push(format!("{name}: the object may be cut out badly; strokes on what is missing or too much help"));
         }

@@ -25,6 +25,8 @@ pub struct Found {
     pub object: Object,
     /// Whether its lines are drawn, as of a photograph; else it is filled.
     pub is_drawn: bool,
+    /// How likely it is what a person would point at, 0 to 1; below [`SURE`](crate::picture::cut::SURE) better ask.
+    pub sure: f32,
 }
 
 /// Finds the object: what the mask or the box says, or what stands out.
@@ -36,12 +38,12 @@ pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
     let is_drawn = is_drawn(given, settings);
     if given.mask.is_some() || !(is_drawn || given.bounds.is_some()) || picture.is_cut_out() {
         let object = find_object(picture, given.mask.as_ref(), settings.object)?;
-        return Ok(Found { object, is_drawn });
+        return Ok(Found { object, is_drawn, sure: 1.0 });
     }
     let cut = photo::cut(picture, given.bounds)?;
     let mut object = find_object(picture, Some(&cut.mask), 1)?;
     object.notes.splice(0..0, cut.notes);
-    Ok(Found { object, is_drawn })
+    Ok(Found { object, is_drawn, sure: cut.sure })
 }
 
 /// The lines that a draughtsman would draw of the object, px of its layers: a picture of [`OBJECT_PX`] in which the object

@@ -21,6 +21,8 @@ pub struct Plan {
     pub(super) settings: Settings,
     /// The object as it was found, of the picture's own aspect.
     pub object: Object,
+    /// How likely that is what a person would point at, 0 to 1; below [`SURE`](crate::picture::cut::SURE) better ask.
+    pub sure: f32,
     /// The solid behind it.
     pub solid: Solid,
     /// What the report compares with: the front's ink, then the solid's silhouette from each side.
@@ -50,7 +52,7 @@ const HATCHES: [f64; 2] = [4.0, 96.0];
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     Task::Stroke.check(settings)?;
     let name = given.picture.name();
-    let Found { object, is_drawn } = drawn::find(given, settings)?;
+    let Found { object, is_drawn, sure } = drawn::find(given, settings)?;
     let mut notes = object.notes.clone();
     if is_drawn && settings.read == Read::Auto {
         notes.push(format!(
@@ -101,7 +103,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     }
     let names = std::iter::once(&given.picture).chain(given.others.iter().map(|other| &other.0));
     let sources = names.map(|picture| picture.name().to_owned()).collect();
-    Ok(Plan { settings: settings.clone(), object, solid, targets, sources, lines, first: None, notes })
+    Ok(Plan { settings: settings.clone(), object, sure, solid, targets, sources, lines, first: None, notes })
 }
 
 fn line_options(spacing_px: f64, settings: &Settings) -> LineOptions {

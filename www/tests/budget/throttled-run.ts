@@ -103,7 +103,7 @@ async function fastRun(slower: number, args: readonly string[]): Promise<Measure
 
 const POLL_MS = 200;
 const SETTLED_MS = 1500;
-const IN_APP = `document.querySelector("wire-app").shadowRoot`;
+const IN_APP = `document.querySelector("wire-app")?.shadowRoot`;
 const inPart = (part: string, selector: string): string => `${IN_APP}?.querySelector("${part}")?.shadowRoot?.querySelector("${selector}")`;
 
 async function until(page: Page, condition: string): Promise<void> {

@@ -43,7 +43,7 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
   takes: { pictures: SLOTS.length, meshes: false },
   keeps: { settings: [], groups: ["views"] },
   // Ink is found pad by pad.
-  elsewhere: ["bend", "ink"],
+  elsewhere: ["bend", "ink", "read", "lines"],
   compared: SLOTS,
   form: {
     parts: (papers) => ({ ...papers }),

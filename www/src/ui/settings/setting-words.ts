@@ -32,6 +32,8 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   may_swap: { label: "They may change places" },
   may_mirror: { label: "They may be mirrored" },
   may_turn: { label: "They may be turned", choices: { none: "None", top: "Only the top" } },
+  read: { label: "What of the picture is drawn", choices: { auto: "Whatever suits it", ink: "Its ink", lines: "The lines of a photo", tone: "Its shades" } },
+  lines: { label: "Lines of a photo", slider: [0, 60, 5] },
   ink: { label: "Ink is", choices: { auto: "Guessed", dark: "Dark", light: "Light" } },
   min_stroke: { label: "Thicken thin lines to", slider: [0, 12, 0.5] },
   max_stretch: { label: "Most stretching", slider: [1, 2, 0.05] },
@@ -42,6 +44,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   smoothness: { label: "Calm", slider: [0, 5, 0.1] },
 
   stroke_start: { label: "First wire", choices: { contour: "Along the outline, inwards", points: "Through points inside", ball: "In a ball" } },
+  shade: { label: "Shades in a photo's lines", choices: { none: "None", accent: "As wider lines", full: "All: filled with lines" } },
   shading: { label: "The front shows", choices: { lines: "Lines, wide where it is dark", grey: "The picture's greys" } },
   hatching: { label: "Lines that fill run", choices: { auto: "As suits the shape", contours: "Along the outline", slices: "Round it, like slices" } },
   hatch: { label: "Distance of lines", slider: [2, 40, 1] },
