@@ -1,5 +1,8 @@
 //! Photographs: the object, and its lines, against scenes of known truth.
 
+mod cuts;
+mod drawings;
+mod judge;
 mod kinds;
 #[path = "../support/scenes/mod.rs"]
 mod scenes;

@@ -23,6 +23,8 @@ const LEAN: f32 = 8.0;
 
 /// How much better a cut begun from what catches the eye must fit to be taken.
 const WORSE: f32 = 0.1;
+/// Share of a box's width and height that an object in it has at least.
+const FILLS: f32 = 0.72;
 
 /// Part of a photograph, twice.
 pub struct Region {
@@ -82,18 +84,32 @@ impl Region {
         let salient = self.salient();
         let eye = self.small.cut(&known, &salient, &[], ROUNDS);
         let (same, seen) = (overlap(&whole, &eye), overlap(&salient, &eye));
-        // A box says where it is, so that what catches the eye need not be it.
-        let sure = if self.boxed { same } else { seen.powf(1.5) * same.sqrt() };
         let object = if self.score(&eye) > self.score(&whole) + WORSE { eye } else { whole };
+        // A box says where it is, so that what catches the eye need not be it; but it fills the box.
+        let sure = if self.boxed {
+            same * (1.0 - 2.0 * self.shortfall(&object)).max(0.0)
+        } else {
+            seen.powf(1.5) * same.sqrt()
+        };
         Guess { object, sure }
+    }
+
+    /// By how much a cut is narrower and lower than most of what it was looked for in, shares of that added up.
+    fn shortfall(&self, object: &[bool]) -> f32 {
+        let (w, h) = (self.small.width, self.small.height);
+        let frame = |data: &[bool]| Mask { width: w, height: h, data: data.to_vec() }.bounding_box();
+        let (Some(found), Some(frame)) = (frame(object), frame(&self.inside)) else { return 2.0 };
+        let short = |found: usize, frame: usize| (FILLS - found as f32 / frame as f32).max(0.0);
+        short(found.width(), frame.width()) + short(found.height(), frame.height())
     }
 
     /// How well a cut fits its box: its border runs along edges, it fills the box's middle and does not touch its sides.
     fn score(&self, object: &[bool]) -> f32 {
         let (w, h) = (self.small.width, self.small.height);
         let mask = Mask { width: w, height: h, data: object.to_vec() };
-        let Some(found) = mask.bounding_box() else { return f32::MIN };
-        let Some(frame) = (Mask { data: self.inside.clone(), ..mask.clone() }).bounding_box() else { return f32::MIN };
+        if mask.count() == 0 {
+            return f32::MIN;
+        }
         let slope = self.small.slope();
         let is_border = |i: &usize| {
             let (x, y) = (i % w, i / w);
@@ -107,8 +123,6 @@ impl Region {
         };
         let mut border: Vec<f32> = (0..w * h).filter(is_border).map(|i| slope[i]).collect();
         let along = quantile(&mut border, 0.5) / (quantile(&mut slope.clone(), 0.9) + 2.0);
-        let short = |found: usize, frame: usize| (0.72 - found as f32 / frame as f32).max(0.0);
-        let narrow = short(found.width(), frame.width()) + short(found.height(), frame.height());
         // A box's own sides, not the picture's.
         let sides: Vec<usize> = (0..w * h)
             .filter(|&i| {
@@ -122,7 +136,7 @@ impl Region {
             })
             .collect();
         let touching = sides.iter().filter(|&&i| object[i]).count() as f32 / sides.len().max(1) as f32;
-        0.5 * along.min(2.5) - 6.0 * narrow - 4.0 * touching
+        0.5 * along.min(2.5) - 6.0 * self.shortfall(object) - 4.0 * touching
     }
 
     fn salient(&self) -> Vec<bool> {

@@ -181,11 +181,10 @@ fn slopes(image: &Image) -> Vec<[f32; 2]> {
         let rows = [y.saturating_sub(1), y, (y + 1).min(h - 1)].map(|row| &image.data[row * w..][..w]);
         for x in 0..w {
             let columns = [x.saturating_sub(1), x, (x + 1).min(w - 1)];
-            let [a, b, c] = columns.map(|x| 3.0 * rows[0][x] + 10.0 * rows[1][x] + 3.0 * rows[2][x]);
-            let [d, _, e] =
-                [0, 1, 2].map(|r| 3.0 * rows[r][columns[0]] + 10.0 * rows[r][columns[1]] + 3.0 * rows[r][columns[2]]);
-            let _ = b;
-            out.push([(c - a) / 32.0, (e - d) / 32.0]);
+            let [left, right] =
+                [columns[0], columns[2]].map(|x| 3.0 * rows[0][x] + 10.0 * rows[1][x] + 3.0 * rows[2][x]);
+            let across = |row: &[f32]| 3.0 * row[columns[0]] + 10.0 * row[x] + 3.0 * row[columns[2]];
+            out.push([(right - left) / 32.0, (across(rows[2]) - across(rows[0])) / 32.0]);
         }
     }
     out

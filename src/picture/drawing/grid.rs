@@ -1,8 +1,5 @@
 //! Sampling of pictures between pixels, several channels at once.
 
-/// Pixels round an object that are looked at too.
-pub const MARGIN: usize = 12;
-
 /// A picture of `N` channels, rows from the top.
 pub struct Grid<const N: usize> {
     pub width: usize,

@@ -13,11 +13,14 @@ mod outline;
 mod trace;
 
 use super::photo::Photo;
-use crate::picture::Ink;
+use crate::picture::{Ink, Mask};
 use crate::view::{Image, PixelBox};
 use edges::Edges;
 
 pub use ink::ink;
+
+/// Pixels round an object that are looked at too.
+const MARGIN: usize = 12;
 
 /// What a line is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +64,7 @@ pub enum Budget {
 
 impl Default for Budget {
     fn default() -> Budget {
-        Budget::Importance(0.12)
+        Budget::Importance(0.04)
     }
 }
 
@@ -74,22 +77,37 @@ impl Default for Budget {
 pub fn draw(photo: &Photo, mask: &Image, budget: Budget) -> Vec<Line> {
     assert_eq!((photo.width, photo.height), (mask.width, mask.height), "a mask is as large as its photograph");
     let solid = mask.threshold(0.5);
+    let outlines = outline::outlines(&solid);
+    drawn(photo, &solid, outlines, budget)
+}
+
+/// Draws all that is in a box (left, top, right, bottom, px of the photograph), where no mask can be trusted: lines
+/// without an outline.
+pub fn draw_in_box(photo: &Photo, [left, top, right, bottom]: [f32; 4], budget: Budget) -> Vec<Line> {
+    let (width, height) = (photo.width, photo.height);
+    let inside = |i: usize| {
+        let (x, y) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+        x >= left && x < right && y >= top && y < bottom
+    };
+    let all = Mask { width, height, data: (0..width * height).map(inside).collect() };
+    drawn(photo, &all, Vec::new(), budget)
+}
+
+fn drawn(photo: &Photo, solid: &Mask, outlines: Vec<Vec<[f32; 2]>>, budget: Budget) -> Vec<Line> {
     let Some(frame) = solid.bounding_box() else { return Vec::new() };
     let size = frame.width().max(frame.height()) as f32;
     let part = PixelBox {
-        left: frame.left.saturating_sub(grid::MARGIN),
-        top: frame.top.saturating_sub(grid::MARGIN),
-        right: (frame.right + grid::MARGIN).min(photo.width),
-        bottom: (frame.bottom + grid::MARGIN).min(photo.height),
+        left: frame.left.saturating_sub(MARGIN),
+        top: frame.top.saturating_sub(MARGIN),
+        right: (frame.right + MARGIN).min(photo.width),
+        bottom: (frame.bottom + MARGIN).min(photo.height),
     };
-    let edges = Edges::of(photo, &solid, part);
-    let outlines = outline::outlines(&solid);
-    let mut inner = edges.lines(size);
+    let mut inner = Edges::of(photo, solid, part).lines(size);
     for p in inner.iter_mut().flat_map(|line| &mut line.points) {
         *p = [p[0] + part.left as f32, p[1] + part.top as f32];
     }
-    let width_px =
-        |contrast: f32| (3.0 + 2.0 * (contrast / 40.0).min(1.0)) * photo.width.max(photo.height) as f32 / 256.0;
+    let at_256 = photo.width.max(photo.height) as f32 / 256.0;
+    let width_px = |contrast: f32| (3.0 + 2.0 * (contrast / 40.0).min(1.0)) * at_256;
     choose::chosen(outlines, inner, part, size, budget)
         .into_iter()
         .map(|line| Line { width_px: width_px(line.width_px), ..line })
