@@ -9,8 +9,11 @@ use wire4d::view::Image;
 
 /// The twelve photographs, as they were taken and as they are looked at.
 pub static PHOTOS: LazyLock<Vec<(Photograph, Photo)>> = LazyLock::new(|| {
-    let taken = twelve().iter().map(photograph);
-    taken.map(|photo| (photo_of(photo.name, &photo.rgb), photo)).map(|(seen, taken)| (taken, seen)).collect()
+    let seen = |taken: Photograph| {
+        let photo = photo_of(taken.name, &taken.rgb);
+        (taken, photo)
+    };
+    twelve().iter().map(|scene| seen(photograph(scene))).collect()
 });
 
 /// A photograph as it is looked at.
