@@ -13,6 +13,7 @@ mod tidy;
 
 use super::photo::Photo;
 use super::spread::quantile;
+use crate::picture::Ink;
 use crate::view::Image;
 use crate::{Error, Result};
 use region::{Guess, Region};
@@ -62,14 +63,20 @@ const TEXTURE: f32 = 0.3;
 /// asked before.
 pub struct Cutter {
     photo: Photo,
-    /// What was found inside the last box, before any stroke.
-    guess: Option<([usize; 4], Region, Guess)>,
+    /// What was found in the whole picture, and inside the last box, before any stroke.
+    whole: Option<Found>,
+    boxed: Option<([usize; 4], Found)>,
+}
+
+struct Found {
+    region: Region,
+    guess: Guess,
 }
 
 impl Cutter {
     /// For one photograph.
     pub fn new(photo: Photo) -> Cutter {
-        Cutter { photo, guess: None }
+        Cutter { photo, whole: None, boxed: None }
     }
 
     /// The photograph.
@@ -87,27 +94,46 @@ impl Cutter {
         let bounds = self.bounds(hints)?;
         self.check_strokes(hints, bounds)?;
         let mut notes = self.looked_over()?;
-        if self.guess.as_ref().is_none_or(|(of, ..)| *of != bounds) {
-            let region = Region::new(&self.photo, bounds);
-            let guess = region.guess();
-            self.guess = Some((bounds, region, guess));
-        }
-        let Some((_, region, guess)) = &self.guess else { unreachable!("it was just made") };
-        let mask = region.cut(guess, &hints.object, &hints.ground);
+        let Found { region, guess } = self.found(bounds);
+        let (mask, guessed) = (region.cut(guess, &hints.object, &hints.ground), guess.sure);
         let share = mask.data.iter().filter(|&&value| value > 0.5).count() as f64 / mask.data.len() as f64;
         let name = &self.photo.name;
         if share < 1e-4 {
             return Err(Error::picture(name, "no object was found", "draw a stroke on it, or a box close round it"));
         }
         let stroked = !hints.object.is_empty() || !hints.ground.is_empty();
-        if hints.bounds.is_none() && !stroked && guess.sure < SURE {
-            notes.push(format!("{name}: it is not clear which thing is meant"));
-        } else if hints.bounds.is_some() && !stroked && guess.sure < SURE {
-            notes.push(format!("{name}: the object may be cut out badly; strokes on what is missing or too much help"));
+        if !stroked && guessed < SURE {
+            let note = match hints.bounds {
+                None => "it is not clear which thing is meant",
+                Some(_) => "the object may be cut out badly; strokes on what is missing or too much help",
+            };
+            notes.push(format!("{name}: {note}"));
         }
         // Whoever drew strokes looked at what they did.
-        let sure = if stroked { 1.0 } else { guess.sure };
-        Ok(Cut { mask, sure, notes })
+        Ok(Cut { mask, sure: if stroked { 1.0 } else { guessed }, notes })
+    }
+
+    /// What is found inside a box before any stroke. What is surely found without it is meant if it fills the box.
+    fn found(&mut self, bounds: [usize; 4]) -> &Found {
+        let photo = &self.photo;
+        let all = [0, 0, photo.width, photo.height];
+        let whole = self.whole.get_or_insert_with(|| {
+            let region = Region::new(photo, all);
+            Found { guess: region.guess(), region }
+        });
+        if bounds == all {
+            return whole;
+        }
+        if self.boxed.as_ref().is_none_or(|(of, _)| *of != bounds) {
+            let region = Region::new(photo, bounds);
+            let seen = (whole.guess.sure >= SURE).then(|| whole.region.cut(&whole.guess, &[], &[]));
+            let guess = match seen.filter(|mask| fills(mask, bounds)) {
+                Some(mask) => Guess { object: region.cut_from(&mask), sure: whole.guess.sure },
+                None => region.guess(),
+            };
+            self.boxed = Some((bounds, Found { region, guess }));
+        }
+        &self.boxed.as_ref().expect("it was just made").1
     }
 
     /// The box as whole pixels: first columns and rows, and one past the last.
@@ -190,4 +216,12 @@ impl Cutter {
         }
         Ok(notes)
     }
+}
+
+/// Whether an object lies in a box and is most of its width and height.
+fn fills(mask: &Image, [left, top, right, bottom]: [usize; 4]) -> bool {
+    let Some(frame) = mask.threshold(0.5).bounding_box() else { return false };
+    let inside = frame.left >= left && frame.top >= top && frame.right <= right && frame.bottom <= bottom;
+    let most = |found: usize, side: usize| found as f32 >= region::FILLS * side as f32;
+    inside && most(frame.width(), right - left) && most(frame.height(), bottom - top)
 }

@@ -24,7 +24,7 @@ const LEAN: f32 = 8.0;
 /// How much better a cut begun from what catches the eye must fit to be taken.
 const WORSE: f32 = 0.1;
 /// Share of a box's width and height that an object in it has at least.
-const FILLS: f32 = 0.72;
+pub const FILLS: f32 = 0.72;
 
 /// Part of a photograph, twice.
 pub struct Region {
@@ -79,7 +79,7 @@ impl Region {
 
     /// The object without strokes: begun once with all that is inside, once with what catches the eye.
     pub fn guess(&self) -> Guess {
-        let known: Vec<Known> = self.inside.iter().map(|&i| if i { Known::Open } else { Known::Ground }).collect();
+        let known = self.outside_is_ground();
         let whole = self.small.cut(&known, &self.inside, &[], ROUNDS);
         let salient = self.salient();
         let eye = self.small.cut(&known, &salient, &[], ROUNDS);
@@ -92,6 +92,10 @@ impl Region {
             seen.powf(1.5) * same.sqrt()
         };
         Guess { object, sure }
+    }
+
+    fn outside_is_ground(&self) -> Vec<Known> {
+        self.inside.iter().map(|&inside| if inside { Known::Open } else { Known::Ground }).collect()
     }
 
     /// By how much a cut is narrower and lower than most of what it was looked for in, shares of that added up.
@@ -137,6 +141,15 @@ impl Region {
             .collect();
         let touching = sides.iter().filter(|&&i| object[i]).count() as f32 / sides.len().max(1) as f32;
         0.5 * along.min(2.5) - 6.0 * self.shortfall(object) - 4.0 * touching
+    }
+
+    /// The object at the small size, begun with a mask as large as the photograph.
+    pub fn cut_from(&self, mask: &Image) -> Vec<bool> {
+        let known = self.outside_is_ground();
+        let [left, top] = self.corner.map(|c| c as f64);
+        let window = [left, top, left + self.full.width as f64, top + self.full.height as f64];
+        let start = mask.window(window, self.small.width, self.small.height).threshold(0.5);
+        self.small.cut(&known, &start.data, &[], 2)
     }
 
     fn salient(&self) -> Vec<bool> {
