@@ -6,6 +6,7 @@ use super::saliency::saliency;
 use super::strokes::{reach, under};
 use super::tidy::{grown, tidy};
 use crate::picture::photo::Photo;
+use crate::picture::sheet::is_rim;
 use crate::picture::spread::{otsu, quantile};
 use crate::picture::{Ink, Mask};
 use crate::view::Image;
@@ -154,8 +155,7 @@ impl Region {
 
     fn salient(&self) -> Vec<bool> {
         let Level { width, height, lab, .. } = &self.small;
-        let is_rim = |i: usize| i % width == 0 || i % width == width - 1 || i / width == 0 || i / width == height - 1;
-        let values = saliency(*width, *height, lab, |i| !self.inside[i] || is_rim(i));
+        let values = saliency(*width, *height, lab, |i| !self.inside[i] || is_rim(i, *width, *height, 1));
         let at: Vec<usize> = (0..values.len()).filter(|&i| self.inside[i]).collect();
         let range = |place: &dyn Fn(usize) -> usize| {
             let [low, high] =
