@@ -43,7 +43,8 @@ pub fn is_photograph(picture: &Picture) -> bool {
     if width < 16 || height < 16 {
         return false;
     }
-    let on_border = |i: usize| i % width == 0 || i % width + 1 == width || i / width == 0 || i / width + 1 == height;
+    let on_border =
+        |i: usize| i.is_multiple_of(width) || i % width + 1 == width || i / width == 0 || i / width + 1 == height;
     let border: Vec<usize> = (0..width * height).filter(|&i| on_border(i)).collect();
     let middle =
         [0, 1, 2].map(|c: usize| quantile(&mut border.iter().map(|&i| photo.lab[i][c]).collect::<Vec<_>>(), 0.5));
