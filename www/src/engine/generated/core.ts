@@ -228,7 +228,15 @@ export type SurfaceReport = {
 
 /** A named view: where from, where to, which way is up, and the picture's size.
  *
- * Serialises as wire.json's `views` and is checked ([`View::check`]) when read. */
+ * Serialises as wire.json's `views` and is checked ([`View::check`]) when read.
+ *
+ * ```
+ * use wire4d_core::view::View;
+ *
+ * let [front, side, top] = View::canonical(2.2, 256);
+ * assert_eq!(side.eye.map(f64::round), [3.0, 0.0, 0.0], "the side is seen from +x");
+ * assert_eq!((front.width_px, top.name.as_str()), (256, "top"));
+ * ``` */
 export type View = { name: string, projection: ProjectionKind, eye: [number, number, number], target: [number, number, number], up: [number, number, number], fov_y_rad?: number, height_world?: number, width_px: number, height_px: number,
 };
 
