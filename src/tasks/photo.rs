@@ -19,6 +19,14 @@ pub(super) fn cut(picture: &Picture, bounds: Option<[f64; 4]>) -> Result<Cut> {
 
 /// The lines of the object that `mask` (0 to 1, any size) says.
 pub(super) fn lines(photo: &Photo, mask: &Image, settings: &Settings) -> Vec<Line> {
-    let budget = if settings.lines == 0 { Budget::default() } else { Budget::Lines(settings.lines) };
-    drawing::draw(photo, &mask.resized(photo.width, photo.height), budget)
+    drawing::draw(photo, &mask.resized(photo.width, photo.height), budget(settings))
+}
+
+/// All lines in a box (left, top, right, bottom, px of the picture), without an outline.
+pub(super) fn lines_in(photo: &Photo, bounds: [f64; 4], settings: &Settings) -> Vec<Line> {
+    drawing::draw_in_box(photo, bounds.map(|side| (side * photo.scale) as f32), budget(settings))
+}
+
+fn budget(settings: &Settings) -> Budget {
+    if settings.lines == 0 { Budget::default() } else { Budget::Lines(settings.lines) }
 }

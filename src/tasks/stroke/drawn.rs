@@ -27,6 +27,8 @@ pub struct Found {
     pub is_drawn: bool,
     /// How likely it is what a person would point at, 0 to 1; below [`SURE`](crate::picture::cut::SURE) better ask.
     pub sure: f32,
+    /// The box (left, top, right, bottom, px of the picture) of which all lines are drawn, since no object was seen in it.
+    pub unseen: Option<[f64; 4]>,
 }
 
 /// Finds the object: what the mask or the box says, or what stands out.
@@ -38,12 +40,36 @@ pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
     let is_drawn = is_drawn(given, settings);
     if given.mask.is_some() || !(is_drawn || given.bounds.is_some()) || picture.is_cut_out() {
         let object = find_object(picture, given.mask.as_ref(), settings.object)?;
-        return Ok(Found { object, is_drawn, sure: 1.0 });
+        return Ok(Found { object, is_drawn, sure: 1.0, unseen: None });
     }
-    let cut = photo::cut(picture, given.bounds)?;
+    let mut cut = photo::cut(picture, given.bounds)?;
+    let unseen = given.bounds.filter(|_| is_drawn && cut.sure < LEAST_SURE);
+    if let Some(bounds) = unseen {
+        let name = picture.name();
+        cut.mask = filling(bounds, picture.width(), picture.height(), &cut.mask);
+        cut.notes =
+            vec![format!("{name}: cannot be told from its ground, so all lines in the box are drawn; a mask helps")];
+    }
     let mut object = find_object(picture, Some(&cut.mask), 1)?;
     object.notes.splice(0..0, cut.notes);
-    Ok(Found { object, is_drawn, sure: cut.sure })
+    Ok(Found { object, is_drawn, sure: cut.sure, unseen })
+}
+
+/// A cut inside a box that is less sure than this is worth nothing.
+const LEAST_SURE: f32 = 0.3;
+/// Exponent of the round shape that fills a box instead: between an ellipse and the box.
+const ROUND: f64 = 3.0;
+
+/// Something round that fills a box (px of a picture of `width` x `height`), of the size of another mask.
+fn filling([left, top, right, bottom]: [f64; 4], width: usize, height: usize, like: &Image) -> Image {
+    let [across, down] = [like.width as f64 / width as f64, like.height as f64 / height as f64];
+    let from_middle = |place: f64, low: f64, high: f64| ((place - 0.5 * (low + high)) / (0.5 * (high - low))).abs();
+    let inside = |i: usize| {
+        let (x, y) = ((i % like.width) as f64 + 0.5, (i / like.width) as f64 + 0.5);
+        let off = from_middle(x / across, left, right).powf(ROUND) + from_middle(y / down, top, bottom).powf(ROUND);
+        if off < 1.0 { 1.0 } else { 0.0 }
+    };
+    Image { data: (0..like.data.len()).map(inside).collect(), ..*like }
 }
 
 /// The lines that a draughtsman would draw of the object, px of its layers: a picture of [`OBJECT_PX`] in which the object
@@ -51,9 +77,18 @@ pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
 ///
 /// # Errors
 /// [`Error::Picture`] where nothing can be drawn.
-pub(super) fn strokes(given: &Given, object: &Object, margin_px: f64, settings: &Settings) -> Result<Vec<Stroke>> {
+pub(super) fn strokes(
+    given: &Given,
+    object: &Object,
+    unseen: Option<[f64; 4]>,
+    margin_px: f64,
+    settings: &Settings,
+) -> Result<Vec<Stroke>> {
     let photo = Photo::of(&given.picture);
-    let lines = photo::lines(&photo, &object.mask, settings);
+    let lines = match unseen {
+        Some(bounds) => photo::lines_in(&photo, bounds, settings),
+        None => photo::lines(&photo, &object.mask, settings),
+    };
     let Some(part) = object.mask.threshold(0.5).bounding_box().filter(|_| !lines.is_empty()) else {
         return Err(Error::picture(given.picture.name(), "has no lines that could be drawn", "use a sharper picture"));
     };

@@ -52,7 +52,7 @@ const HATCHES: [f64; 2] = [4.0, 96.0];
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     Task::Stroke.check(settings)?;
     let name = given.picture.name();
-    let Found { object, is_drawn, sure } = drawn::find(given, settings)?;
+    let Found { object, is_drawn, sure, unseen } = drawn::find(given, settings)?;
     let mut notes = object.notes.clone();
     if is_drawn && settings.read == Read::Auto {
         notes.push(format!(
@@ -85,7 +85,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     let all_seen = body != mask;
     let layers = Layers { mask, tone, saliency, highlight, all_seen };
     let lines = if is_drawn && settings.shade != Shade::Full {
-        let strokes = drawn::strokes(given, &object, margin_px, settings)?;
+        let strokes = drawn::strokes(given, &object, unseen, margin_px, settings)?;
         Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings))
     } else {
         lines(&layers, &solid, settings)
