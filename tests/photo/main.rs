@@ -7,3 +7,4 @@ mod kinds;
 #[path = "../support/scenes/mod.rs"]
 mod scenes;
 mod scenes_are_true;
+mod wires;

@@ -2,7 +2,7 @@
 
 use super::given::Given;
 use crate::picture::drawing::{Kind, Line};
-use crate::picture::{Ink, OBJECT_PX, Object, Photo, find_object, is_photograph};
+use crate::picture::{Ink, Mask, OBJECT_PX, Object, Photo, Picture, find_object, is_photograph};
 use crate::settings::{Read, Settings, Shade, Shading};
 use crate::start::Stroke;
 use crate::tasks::photo;
@@ -43,7 +43,8 @@ pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
         return Ok(Found { object, is_drawn, sure: 1.0, unseen: None });
     }
     let mut cut = photo::cut(picture, given.bounds)?;
-    let unseen = given.bounds.filter(|_| is_drawn && cut.sure < LEAST_SURE);
+    let is_missed = |bounds: &[f64; 4]| cut.sure < LEAST_SURE && !spans(&cut.mask, *bounds, picture);
+    let unseen = given.bounds.filter(|bounds| is_drawn && is_missed(bounds));
     if let Some(bounds) = unseen {
         let name = picture.name();
         cut.mask = filling(bounds, picture.width(), picture.height(), &cut.mask);
@@ -55,8 +56,24 @@ pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
     Ok(Found { object, is_drawn, sure: cut.sure, unseen })
 }
 
-/// A cut inside a box that is less sure than this is worth nothing.
+/// A cut inside a box that is less sure than this, and in one piece spans less than this share of its sides, is not what was
+/// meant.
 const LEAST_SURE: f32 = 0.3;
+const LEAST_SPAN: f64 = 0.6;
+
+/// Whether the largest piece of a mask reaches across most of a box, px of the picture.
+fn spans(mask: &Image, [left, top, right, bottom]: [f64; 4], picture: &Picture) -> bool {
+    let solid = mask.threshold(0.5);
+    let pieces = solid.components();
+    let largest = pieces.sizes.iter().enumerate().max_by_key(|(_, size)| **size).map_or(0, |(k, _)| k as u32 + 1);
+    let piece = Mask { data: pieces.labels.iter().map(|&label| label == largest).collect(), ..solid };
+    let [across, down] = [mask.width as f64 / picture.width() as f64, mask.height as f64 / picture.height() as f64];
+    piece.bounding_box().is_some_and(|piece| {
+        piece.width() as f64 > LEAST_SPAN * across * (right - left)
+            && piece.height() as f64 > LEAST_SPAN * down * (bottom - top)
+    })
+}
+
 /// Exponent of the round shape that fills a box instead: between an ellipse and the box.
 const ROUND: f64 = 3.0;
 
