@@ -3,9 +3,10 @@
 use crate::json;
 use crate::pictures::Ink;
 use wasm_bindgen::prelude::*;
-use wire4d::picture::{Object, Picture};
+use wire4d::picture::Picture;
+use wire4d::picture::cut::SURE;
 use wire4d::settings::{Preset, Settings, Task};
-use wire4d::tasks::stroke::{Given, find};
+use wire4d::tasks::stroke::{Found, Given, find};
 use wire4d::view::Image;
 
 /// One picture for a run, and what a person says of it.
@@ -24,6 +25,11 @@ impl Subject {
     pub fn set_mask(&mut self, width: usize, height: usize, mask: &[u8]) -> Result<(), JsError> {
         self.0.mask = Some(Image::from_bytes("the mask", width, height, mask)?);
         Ok(())
+    }
+
+    /// A box round the object, px of the picture.
+    pub fn set_bounds(&mut self, left: f64, top: f64, right: f64, bottom: f64) {
+        self.0.bounds = Some([left, top, right, bottom]);
     }
 
     /// How near each pixel is: a picture of the same size, light is near; `measured` from values of 16 bits, it may be
@@ -49,42 +55,41 @@ impl Subject {
 
 /// The objects of a picture.
 #[wasm_bindgen]
-pub struct FoundObject(Object);
+pub struct FoundObject(Found);
 
 /// Finds the `object`th of a picture's objects, the largest first, from 1.
 #[wasm_bindgen]
-pub fn find_object(
-    name: &str,
-    width: usize,
-    height: usize,
-    rgba: Vec<u8>,
-    object: usize,
-) -> Result<FoundObject, JsError> {
-    let given = Given::picture(Picture::new(name, width, height, rgba)?);
+pub fn find_object(subject: &Subject, object: usize) -> Result<FoundObject, JsError> {
     let settings = Settings { object, ..Task::Stroke.preset(Preset::Best) };
-    Ok(FoundObject(find(&given, &settings)?.object))
+    Ok(FoundObject(find(&subject.0, &settings)?))
 }
 
 #[wasm_bindgen]
 impl FoundObject {
     /// How much of each pixel is the object; the picture's own aspect.
     pub fn mask(&self) -> Ink {
-        Ink::new(&self.0.mask)
+        Ink::new(&self.0.object.mask)
     }
 
     /// Which object each pixel of the mask's picture is of, the largest first, from 1; 0 is none.
     pub fn labels(&self) -> Vec<u8> {
-        self.0.parts.labels.iter().map(|&label| u8::try_from(label).unwrap_or(0)).collect()
+        self.0.object.parts.labels.iter().map(|&label| u8::try_from(label).unwrap_or(0)).collect()
     }
 
     /// How many there are.
     #[wasm_bindgen(getter)]
     pub fn count(&self) -> usize {
-        self.0.parts.shares.len()
+        self.0.object.parts.shares.len()
+    }
+
+    /// Whether it is likely what a person would point at.
+    #[wasm_bindgen(getter)]
+    pub fn is_sure(&self) -> bool {
+        self.0.sure >= SURE
     }
 
     /// What a person should know, as a JSON list of sentences.
     pub fn notes(&self) -> String {
-        json(&self.0.notes)
+        json(&self.0.object.notes)
     }
 }

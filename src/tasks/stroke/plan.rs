@@ -55,9 +55,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     let Found { object, is_drawn, sure, unseen } = drawn::find(given, settings)?;
     let mut notes = object.notes.clone();
     if is_drawn && settings.read == Read::Auto {
-        notes.push(format!(
-            "{name}: is taken for a photograph, so the lines of its object are drawn; read tone fills it"
-        ));
+        notes.push(format!("{name}: it is taken for a photograph, so the lines of its object are drawn"));
     }
     let Some(part) = object.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));

@@ -44,7 +44,7 @@ interface Place {
     locked: boolean;
     busy: boolean;
     draw(): void;
-    readonly subject: { readonly object: number; readonly strokes: readonly { adds: boolean; width: number; points: readonly number[] }[]; readonly picture: { name: string; width: number }; readonly depth: { name: string } | null } | null;
+    readonly subject: { readonly object: number; readonly box?: readonly number[] | null; readonly strokes: readonly { adds: boolean; width: number; points: readonly number[] }[]; readonly picture: { name: string; width: number }; readonly depth: { name: string } | null } | null;
     readonly events: readonly { kind: string; detail: unknown }[];
   };
 }
@@ -227,6 +227,45 @@ describe("several things in one picture", () => {
     expect(await kinds()).toEqual(["give", "choose-object", "choose-object", "choose-object"]);
     await page.mouse.click(box.x + 0.95 * box.width, box.y + 0.55 * box.height);
     await editor().waitFor();
+  });
+});
+
+describe("a box", () => {
+  it("is dragged round what is meant, either way, and a short drag is a tap", async () => {
+    await open();
+    await giveThings();
+    await page.getByText("3 things found").waitFor();
+    const frame = (await shown().boundingBox())!;
+    const at = ([x, y]: readonly [number, number]) => [frame.x + x * frame.width, frame.y + y * frame.height] as const;
+    const drag = async (from: readonly [number, number], to: readonly [number, number]): Promise<void> => {
+      await page.mouse.move(...at(from));
+      await page.mouse.down();
+      await page.mouse.move(...at([0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])]));
+      await page.mouse.move(...at(to));
+    };
+    await drag([0.9, 0.8], [0.3, 0.2]);
+    const line = (await pad().locator("subject-canvas .box").boundingBox())!;
+    expect(line.width).toBeCloseTo(0.6 * frame.width, -1);
+    await page.mouse.up();
+    await expect.poll(async () => (await subject())?.box?.map((share) => Math.round(10 * share))).toEqual([3, 2, 9, 8]);
+    expect(await pad().locator("subject-canvas .box").count()).toBe(0);
+    await drag([0.72, 0.32], [0.73, 0.32]);
+    await page.mouse.up();
+    await expect.poll(kinds).toEqual(["give", "give-box", "choose-object"]);
+  });
+
+  it("is asked for where it is not clear what is meant", async () => {
+    await open(PHONE);
+    await giveThings();
+    await page.getByText("3 things found").waitFor();
+    expect(await shown().evaluate((frame) => getComputedStyle(frame).touchAction)).not.toBe("none");
+    await page.evaluate(() => {
+      const { place } = window as unknown as { place: { subject: { found: object }; draw(): void } };
+      place.subject = { ...place.subject, found: { ...place.subject.found, isSure: false } };
+      place.draw();
+    });
+    await page.getByText("Which thing is it? Drag a box round it").waitFor();
+    expect(await shown().evaluate((frame) => getComputedStyle(frame).touchAction)).toBe("none");
   });
 });
 

@@ -12,11 +12,16 @@ export interface Subject {
   readonly object: number;
   /** The person's strokes over what the app found, in order; they are kept when the app finds another object. */
   readonly strokes: readonly MaskStroke[];
+  /** A box round the object, where the person dragged one. */
+  readonly box?: Box | null;
   /** What the app found, for showing: null while it is sought or when nothing was found. */
   readonly found: FoundObject | null;
   /** How near each pixel is, light is near: a picture of the same size. */
   readonly depth: KeptPicture | null;
 }
+
+/** In shares of the picture's width and height, y down. */
+export type Box = readonly [left: number, top: number, right: number, bottom: number];
 
 /** How a stroke corrects a mask. */
 export interface Brush {
@@ -34,6 +39,11 @@ export interface MaskStroke extends Brush {
 interface Size {
   readonly width: number;
   readonly height: number;
+}
+
+/** The same in a picture's pixels. */
+export function pixelBox([left, top, right, bottom]: Box, { width, height }: Size): readonly [number, number, number, number] {
+  return [left * width, top * height, right * width, bottom * height];
 }
 
 /** Longest side of a mask, px. */

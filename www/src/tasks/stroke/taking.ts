@@ -7,7 +7,7 @@ import { givenFor, QUIET, type PadState, type TaskState } from "../../state/cont
 import type { Files, Taker } from "../../state/contract/task";
 import { withGiven } from "../../state/keeping/document";
 import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
-import type { MaskStroke, Subject } from "./given";
+import { pixelBox, type Box, type MaskStroke, type Subject } from "./given";
 
 export class SubjectTaker implements Taker<Subject | null> {
   constructor(
@@ -26,7 +26,7 @@ export class SubjectTaker implements Taker<Subject | null> {
       const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth: null };
       const take = (found: Subject["found"]): void => this.edit(`Take the picture ${name}`, { ...subject, found });
       try {
-        take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1 }));
+        take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1, box: null }));
       } catch (error) {
         // Where the app finds nothing, the person may paint it.
         if (error instanceof Problem) take(null);
@@ -41,8 +41,19 @@ export class SubjectTaker implements Taker<Subject | null> {
     const { subject } = this;
     if (!subject || object === subject.object) return;
     await this.attempt(subject.picture.name, async () => {
-      const found = await this.bench.engine.call("find", { picture: await pixelsOf(subject.picture), object });
-      if (this.subject === subject) this.edit("Choose another object", { ...subject, object, found });
+      const found = await this.bench.engine.call("find", { picture: await pixelsOf(subject.picture), object, box: null });
+      if (this.subject === subject) this.edit("Choose another object", { ...subject, object, box: null, found });
+    });
+  }
+
+  /** A box round what is meant. */
+  async takeBox(box: Box): Promise<void> {
+    const { subject } = this;
+    if (!subject) return;
+    await this.attempt(subject.picture.name, async () => {
+      const { picture } = subject;
+      const found = await this.bench.engine.call("find", { picture: await pixelsOf(picture), object: 1, box: pixelBox(box, picture) });
+      if (this.subject === subject) this.edit("Drag a box round the object", { ...subject, object: 1, box, found });
     });
   }
 
@@ -89,7 +100,7 @@ export class SubjectTaker implements Taker<Subject | null> {
     this.bench.pass(this.task, { busy: true });
     const picture = await pixelsOf(subject.picture);
     // Where there is no core, that is said elsewhere.
-    const found = await engine.call("find", { picture, object: 1 }).catch(() => null);
+    const found = await engine.call("find", { picture, object: 1, box: null }).catch(() => null);
     // Whoever gave another picture meanwhile is waiting for that one.
     if (this.subject !== subject) return;
     this.bench.pass(this.task, { busy: false });

@@ -4,7 +4,7 @@ import { html, render } from "lit";
 import type { Pixels } from "../../../src/engine/protocol";
 import type { FoundObject } from "../../../src/tasks/stroke/protocol";
 import { readPicture } from "../../../src/state/picture/picture";
-import type { MaskStroke, Subject } from "../../../src/tasks/stroke/given";
+import type { Box, MaskStroke, Subject } from "../../../src/tasks/stroke/given";
 import "../../../src/styles.css";
 import { startTheme } from "../../../src/ui/shared/theme";
 import "../../../src/tasks/stroke/parts/mask-editor";
@@ -103,6 +103,7 @@ const acts: Readonly<Record<string, (detail: never) => unknown>> = {
   "clear-depth": () => edit({ ...place.subject!, depth: null }),
   "clear-subject": () => edit(null),
   "choose-object": ({ object }: { object: number }) => seek(object),
+  "give-box": ({ box }: { box: Box }) => edit({ ...place.subject!, box }),
   paint: ({ strokes }: { strokes: readonly MaskStroke[] }) => edit({ ...place.subject!, strokes }),
   "open-brush": () => (editing = true),
   "close-editor": () => (editing = false),

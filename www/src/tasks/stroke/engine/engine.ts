@@ -1,7 +1,6 @@
 /** One picture, in the worker. */
 
 import { bytesOf, ink, loaded, own, pulled, taken } from "../../../engine/core";
-import type { Picture } from "../../../engine/protocol";
 import type { TaskEngine } from "../../../engine/task-engine";
 import * as wasm from "../../../engine/wasm/wire4d";
 import type { FoundObject, StrokeWork } from "../protocol";
@@ -9,9 +8,14 @@ import type { FoundObject, StrokeWork } from "../protocol";
 export const engine: TaskEngine<StrokeWork> = {
   task: "stroke",
   handlers: {
-    find: async ({ picture, object }) => {
+    find: async ({ picture, object, box }) => {
       await loaded();
-      return find(picture, object);
+      const subject = subjectOf({ picture, mask: null, box, depth: null });
+      try {
+        return find(subject, object);
+      } finally {
+        subject.free();
+      }
     },
   },
   async start(work, settings, from, { tell, note }) {
@@ -26,18 +30,19 @@ export const engine: TaskEngine<StrokeWork> = {
   },
 };
 
-function find(picture: Picture, object: number): FoundObject {
-  const found = wasm.find_object(picture.name, picture.width, picture.height, bytesOf(picture), object);
+function find(subject: wasm.Subject, object: number): FoundObject {
+  const found = wasm.find_object(subject, object);
   return taken(found, () => {
     const { ink: mask, ...size } = ink(found.mask());
-    return { ...size, mask, labels: own(found.labels()), count: found.count, notes: JSON.parse(found.notes()) as string[] };
+    return { ...size, mask, labels: own(found.labels()), count: found.count, isSure: found.is_sure, notes: JSON.parse(found.notes()) as string[] };
   });
 }
 
-function subjectOf({ picture, mask, depth }: StrokeWork): wasm.Subject {
+function subjectOf({ picture, mask, box, depth }: StrokeWork): wasm.Subject {
   const subject = new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture));
   try {
     if (mask) subject.set_mask(mask.width, mask.height, mask.ink);
+    if (box) subject.set_bounds(...(box as [number, number, number, number]));
     if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth), depth.measured ?? false);
   } catch (error) {
     subject.free();

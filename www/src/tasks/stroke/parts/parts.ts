@@ -26,6 +26,7 @@ export const parts: TaskParts = {
       .locked=${state.phase !== "idle"}
       @give=${({ detail }: Told<"give">) => void taker.give(detail.file, detail.name)}
       @choose-object=${({ detail }: Told<"choose-object">) => void taker.chooseObject(detail.object)}
+      @give-box=${({ detail }: Told<"give-box">) => void taker.takeBox(detail.box)}
       @clear-subject=${() => taker.clear()}
       @open-brush=${() => open(edit)}
       @give-depth=${({ detail }: Told<"give-depth">) => void taker.giveDepth(detail.file, detail.name)}

@@ -32,6 +32,16 @@ export const subjectCanvasStyle = css`
   .tappable {
     cursor: pointer;
   }
+  .asks {
+    cursor: crosshair;
+    touch-action: none;
+  }
+  .box {
+    position: absolute;
+    border: 2px dashed var(--copper);
+    outline: 1.5px solid var(--raised);
+    pointer-events: none;
+  }
   .paintable {
     cursor: none;
     touch-action: none;

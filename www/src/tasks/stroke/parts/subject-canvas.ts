@@ -5,7 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
 import type { KeptPicture } from "../../../state/picture/picture";
 import type { FoundObject } from "../protocol";
-import { maskOf, maskSize, maskStroke, paint, placesOf, type Brush, type MaskStroke, type Subject } from "../given";
+import { maskOf, maskSize, maskStroke, paint, placesOf, type Box, type Brush, type MaskStroke, type Subject } from "../given";
 import { PLAIN } from "../../../view/paint";
 import { Part } from "../../../view/part";
 import { controls } from "../../../ui/shared/shared";
@@ -34,19 +34,27 @@ const ARROWS: Readonly<Record<string, Spot>> = {
   ArrowDown: [0, 1],
 };
 
-/** Fires `tap` (a Spot) where there is no brush, and `stroke` (a MaskStroke) where a stroke was finished. */
+/** A drag shorter than this is a tap, CSS px. */
+const LEAST_DRAG_PX = 10;
+
+/** Fires `tap` (a Spot) or `box` (a Box that was dragged) where there is no brush, and `stroke` (a MaskStroke) where a stroke was finished. */
 @customElement("subject-canvas")
 export class SubjectCanvas extends Part {
   @property({ attribute: false }) subject: Subject | null = null;
   /** Without a brush there is nothing to paint with. */
   @property({ attribute: false }) brush: Brush | null = null;
   @property() name = "Picture";
+  /** Whether a finger's drag makes a box, too; else it scrolls. */
+  @property({ type: Boolean }) asks = false;
+  /** Where a box began, and as far as it was dragged. */
+  @state() private dragged: { readonly from: Spot; readonly to: Spot } | null = null;
   @state() private painting = false;
   @state() private told = "";
   @query(".frame") private frame!: HTMLElement;
   @query("#picture") private picture!: HTMLCanvasElement;
   @query("#over") private over!: HTMLCanvasElement;
   @query(".ring") private ring!: HTMLElement | null;
+  @query(".box") private dragBox!: HTMLElement | null;
   /** The mask with the stroke under way, or with one that is not in the subject yet. */
   private live: Ink | null = null;
   /** px of the mask. */
@@ -55,6 +63,7 @@ export class SubjectCanvas extends Part {
   /** The brush's place, for the keys. */
   private at: Spot = [0.5, 0.5];
   private frameDue = 0;
+  private justDragged = false;
   private shown: KeptPicture | null = null;
   private readonly sizes = new ResizeObserver(() => this.repaint());
   private readonly forced = matchMedia("(forced-colors: active)");
@@ -80,7 +89,7 @@ export class SubjectCanvas extends Part {
     const paints = subject && brush;
     return html`<div
         part="frame"
-        class="frame ${paints ? "paintable" : "tappable"}"
+        class="frame ${paints ? "paintable" : "tappable"} ${this.asks ? "asks" : ""}"
         ?hidden=${!subject}
         role=${paints ? "application" : "img"}
         aria-label=${this.name}
@@ -96,6 +105,7 @@ export class SubjectCanvas extends Part {
       >
         <canvas id="picture"></canvas>
         <canvas id="over"></canvas>
+        ${this.dragged ? html`<div class="box"></div>` : nothing}
         ${paints ? html`<div class="ring ${brush.adds ? "adds" : "takes"}"></div>` : nothing}
       </div>
       ${paints ? html`<p class="unseen" role="status">${this.told}</p>` : nothing}`;
@@ -115,6 +125,7 @@ export class SubjectCanvas extends Part {
       this.repaint();
     }
     if (subject && brush) this.placeRing();
+    this.placeBox();
   }
 
   private async show(picture: KeptPicture): Promise<void> {
@@ -147,11 +158,38 @@ export class SubjectCanvas extends Part {
     return [(clientX - left) / width, (clientY - top) / height];
   }
 
+  private get box(): Box | null {
+    if (!this.dragged) return null;
+    const { from, to } = this.dragged;
+    const inside = (share: number): number => Math.min(1, Math.max(0, share));
+    const along = (axis: 0 | 1): [number, number] => [inside(Math.min(from[axis], to[axis])), inside(Math.max(from[axis], to[axis]))];
+    const [[left, right], [top, bottom]] = [along(0), along(1)];
+    const { clientWidth, clientHeight } = this.frame;
+    return Math.min((right - left) * clientWidth, (bottom - top) * clientHeight) < LEAST_DRAG_PX ? null : [left, top, right, bottom];
+  }
+
+  private placeBox(): void {
+    const { box, dragBox } = this;
+    if (!dragBox) return;
+    dragBox.hidden = !box;
+    if (!box) return;
+    const [left, top, right, bottom] = box.map((share) => 100 * share) as [number, number, number, number];
+    Object.assign(dragBox.style, { left: `${left}%`, top: `${top}%`, width: `${right - left}%`, height: `${bottom - top}%` });
+  }
+
   private tapped(event: MouseEvent): void {
-    if (this.subject) this.dispatchEvent(new CustomEvent<Spot>("tap", { detail: this.spot(event) }));
+    // A drag ends with a click.
+    if (this.justDragged) this.justDragged = false;
+    else if (this.subject) this.dispatchEvent(new CustomEvent<Spot>("tap", { detail: this.spot(event) }));
   }
 
   private down(event: PointerEvent): void {
+    this.justDragged = false;
+    if (!this.brush && this.subject && event.button === 0 && event.isPrimary && (this.asks || event.pointerType !== "touch")) {
+      this.frame.setPointerCapture(event.pointerId);
+      const spot = this.spot(event);
+      this.dragged = { from: spot, to: spot };
+    }
     if (!this.brush || !this.subject || event.button !== 0 || !event.isPrimary || this.pointer !== null) return;
     this.finish();
     this.frame.setPointerCapture(event.pointerId);
@@ -160,6 +198,7 @@ export class SubjectCanvas extends Part {
   }
 
   private move(event: PointerEvent): void {
+    if (this.dragged) this.dragged = { ...this.dragged, to: this.spot(event) };
     if (!this.brush) return;
     const paints = event.pointerId === this.pointer;
     const parts = paints ? (event.getCoalescedEvents?.() ?? []) : [];
@@ -167,6 +206,12 @@ export class SubjectCanvas extends Part {
   }
 
   private up(event: PointerEvent): void {
+    const { box } = this;
+    this.dragged = null;
+    if (box) {
+      this.justDragged = true;
+      this.dispatchEvent(new CustomEvent<Box>("box", { detail: box }));
+    }
     if (event.pointerId !== this.pointer) return;
     this.goTo(this.spot(event), true);
     this.finish();
@@ -238,6 +283,7 @@ export class SubjectCanvas extends Part {
   }
 
   private cancel(): void {
+    this.dragged = null;
     this.rest();
     this.live = null;
     this.repaint();

@@ -1,6 +1,6 @@
 /** What the elements for one picture tell whoever placed them. */
 
-import type { MaskStroke } from "../given";
+import type { Box, MaskStroke } from "../given";
 
 /** A picture that somebody gives, with what to call it. */
 export interface Brought {
@@ -17,6 +17,8 @@ export interface SubjectEvents {
   "choose-object": { readonly object: number };
   /** The new list of strokes. */
   paint: { readonly strokes: readonly MaskStroke[] };
+  /** Dragged round what is meant. */
+  "give-box": { readonly box: Box };
   "open-brush": null;
 }
 

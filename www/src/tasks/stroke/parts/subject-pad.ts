@@ -1,7 +1,7 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { paintSample, sampleFile, SAMPLES, type Sample } from "../example/samples";
-import { objectAt, type Subject } from "../given";
+import { objectAt, type Box, type Subject } from "../given";
 import { Part } from "../../../view/part";
 import { foldStyle } from "../../../ui/shared/fold";
 import { icons } from "../../../ui/shared/icons";
@@ -63,7 +63,7 @@ export class SubjectPad extends Part {
         </div>
         <div class="row">
           <div class="sheet">
-            <subject-canvas class="shown" .subject=${subject} name=${this.described()} @tap=${this.tapped}></subject-canvas>
+            <subject-canvas class="shown" .subject=${subject} name=${this.described()} ?asks=${this.asks} @tap=${this.tapped} @box=${this.boxed}></subject-canvas>
             ${subject || busy ? nothing : this.invitation()}
             ${this.landing.over ? html`<div class="landing">Drop it here</div>` : nothing}
             ${problem && problem !== this.readProblem
@@ -128,10 +128,21 @@ export class SubjectPad extends Part {
     const { subject, busy, note } = this;
     if (busy) return subject ? "Looking for the object…" : "Reading…";
     if (!subject) return "Your picture stays on this device.";
+    if (this.asks && !note) return "Which thing is it? Drag a box round it, or take the brush.";
     const words = note || subject.found?.notes.join(" ");
     if (words) return html`<span title=${words}>${words}</span>`;
     if (subject.strokes.length > 0) return "In colour: the object, with your strokes.";
     return subject.found ? "In colour: what is taken for the object." : "Nothing found. Paint over the object with the brush.";
+  }
+
+  /** Whether it is not clear what is meant, and nobody has said. */
+  private get asks(): boolean {
+    const { subject, locked } = this;
+    return !locked && subject?.found?.isSure === false && !subject.box && subject.strokes.length === 0;
+  }
+
+  private boxed({ detail: box }: CustomEvent<Box>): void {
+    if (!this.locked && !this.busy) tell(this, "give-box", { box });
   }
 
   private described(): string {
