@@ -39,8 +39,8 @@ export default defineConfig({
   test: {
     projects: [
       { extends: true, test: { name: "unit", include: ["src/**/*.test.ts"] } },
-      // The built page in a real Chromium: slow machines get their time. Two browsers at a time, since much of it is waiting;
-      // each file has its own server, browser and folders.
+      // The built page in a real Chromium: slow machines get their time. Two files at a time would keep two cores no busier,
+      // and each other waiting.
       {
         extends: true,
         test: {
@@ -49,8 +49,7 @@ export default defineConfig({
           testTimeout: 180_000,
           hookTimeout: 60_000,
           expect: { poll: { timeout: 30_000 } },
-          maxWorkers: 2,
-          sequence: { groupOrder: 1 },
+          fileParallelism: false,
         },
       },
     ],
