@@ -6,7 +6,7 @@ use super::line::{is_closed, length, smooth, turning};
 use super::trace::chains;
 use crate::picture::Mask;
 use crate::picture::photo::Photo;
-use crate::view::{Image, PixelBox};
+use crate::view::{Image, PixelBox, StructureTensor};
 
 /// Smoothing before tangents are taken, and of the tensor that gives them, px.
 const BEFORE: f64 = 1.0;
@@ -190,23 +190,16 @@ fn slopes(image: &Image) -> Vec<[f32; 2]> {
     out
 }
 
-/// The structure tensor (Förstner and Gülch 1987) of all channels: xx, xy, yy.
-fn tensor(channels: &[Image; 3], before: f64) -> [Image; 3] {
+/// The structure tensor of all channels, smoothed by `before` px first and over a window of `window` px.
+fn tensor(channels: &[Image; 3], before: f64, window: f64) -> StructureTensor {
     let (w, h) = (channels[0].width, channels[0].height);
-    let mut out = [(); 3].map(|()| Image::new(w, h));
-    for channel in channels {
-        for (i, [x, y]) in slopes(&channel.blurred(before)).into_iter().enumerate() {
-            out[0].data[i] += x * x;
-            out[1].data[i] += x * y;
-            out[2].data[i] += y * y;
-        }
-    }
-    out
+    let gradients = channels.each_ref().map(|channel| slopes(&channel.blurred(before)));
+    StructureTensor::new([w, h], window, |x, y| gradients.each_ref().map(|slopes| slopes[y * w + x].map(f64::from)))
 }
 
 /// Unit vectors across the flow, and how much it goes one way.
 fn flow(channels: &[Image; 3]) -> Grid<3> {
-    let [xx, xy, yy] = tensor(channels, BEFORE).map(|image| image.blurred(TENSOR));
+    let StructureTensor { xx, xy, yy } = tensor(channels, BEFORE, TENSOR);
     let across = |i: usize| {
         let (a, b, c) = (xx.data[i], xy.data[i], yy.data[i]);
         let angle = 0.5 * (2.0 * b).atan2(a - c);
@@ -218,7 +211,7 @@ fn flow(channels: &[Image; 3]) -> Grid<3> {
 
 /// How steeply colours change, in units of colour a pixel: the root of the tensor's larger eigenvalue.
 fn steepness(channels: &[Image; 3]) -> Image {
-    let [xx, xy, yy] = tensor(channels, STEP);
+    let StructureTensor { xx, xy, yy } = tensor(channels, STEP, 0.0);
     let steep = |i: usize| {
         let (a, b, c) = (xx.data[i], xy.data[i], yy.data[i]);
         (0.5 * (a + c + (a - c).hypot(2.0 * b))).max(0.0).sqrt()
