@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::picture::cut::{Cut, Cutter, Hints};
 use crate::picture::drawing::{self, Budget, Line};
-use crate::picture::{Photo, Picture};
+use crate::picture::{Ink, PHOTO_PX, Photo, Picture};
 use crate::settings::Settings;
 use crate::view::Image;
 
@@ -15,6 +15,35 @@ pub(super) fn cut(picture: &Picture, bounds: Option<[f64; 4]>) -> Result<Cut> {
     let photo = Photo::of(picture);
     let bounds = bounds.map(|bounds| bounds.map(|side| (side * photo.scale) as f32));
     Cutter::new(photo).cut(&Hints { bounds, ..Hints::default() })
+}
+
+/// An object whose longer side takes at most this share of what is looked at of its photograph is looked at more closely.
+const SMALL: f64 = 0.75;
+/// Margin round it then, as a share of its longer side.
+const MARGIN: f64 = 0.1;
+
+/// The part of a photograph that holds the object that `mask` (0 to 1, any size) says, at its own pixels, with the mask of
+/// that part: a small object in a large photograph has more to show than the whole at its working size. `None` if it is
+/// large, or the photograph is not.
+pub(super) fn closer(picture: &Picture, mask: &Image) -> Option<(Picture, Image)> {
+    let part = mask.threshold(0.5).bounding_box()?;
+    let (width, height) = (picture.width(), picture.height());
+    let [across, down] = [width as f64 / mask.width as f64, height as f64 / mask.height as f64];
+    let longer = (across * part.width() as f64).max(down * part.height() as f64);
+    if longer > SMALL * width.max(height) as f64 || width.max(height) <= PHOTO_PX {
+        return None;
+    }
+    let margin = MARGIN * longer;
+    let low = |at: usize, scale: f64| (at as f64 * scale - margin).max(0.0) as usize;
+    let high = |at: usize, scale: f64, side: usize| ((at as f64 * scale + margin).ceil() as usize).min(side);
+    let [left, top] = [low(part.left, across), low(part.top, down)];
+    let [right, bottom] = [high(part.right, across, width), high(part.bottom, down, height)];
+    let rows = (top..bottom).flat_map(|y| &picture.rgba()[4 * (y * width + left)..4 * (y * width + right)]);
+    let near = Picture::new(picture.name(), right - left, bottom - top, rows.copied().collect()).ok()?;
+    let shrunk = (PHOTO_PX as f64 / near.width().max(near.height()) as f64).min(1.0);
+    let [columns, lines] = [near.width(), near.height()].map(|side| ((side as f64 * shrunk).round() as usize).max(1));
+    let window = [left as f64 / across, top as f64 / down, right as f64 / across, bottom as f64 / down];
+    Some((near, mask.window(window, columns, lines)))
 }
 
 /// The lines of the object that `mask` (0 to 1, any size) says.

@@ -41,7 +41,8 @@ impl Drawing {
             let cut = photo::cut(picture, None)?;
             (cut.mask, cut.sure)
         };
-        let photo = Photo::of(picture);
+        let (near, mask) = photo::closer(picture, &mask).unwrap_or_else(|| (picture.clone(), mask));
+        let photo = Photo::of(&near);
         let ink = drawing::ink(&photo::lines(&photo, &mask, settings), photo.width, photo.height);
         let because = if sure < SURE { Because::Doubtful } else { Because::Photograph };
         let drawing = Drawing { name: picture.name().to_owned(), ink, seen_from };

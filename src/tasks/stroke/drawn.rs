@@ -89,25 +89,25 @@ fn filling([left, top, right, bottom]: [f64; 4], width: usize, height: usize, li
     Image { data: (0..like.data.len()).map(inside).collect(), ..*like }
 }
 
-/// The lines that a draughtsman would draw of the object, px of its layers: a picture of [`OBJECT_PX`] in which the object
+/// The lines that a draughtsman would draw of the object of a `picture`, px of its layers: a picture of [`OBJECT_PX`] in which the object
 /// is laid with `margin_px` around it.
 ///
 /// # Errors
 /// [`Error::Picture`] where nothing can be drawn.
 pub(super) fn strokes(
-    given: &Given,
+    picture: &Picture,
     object: &Object,
     unseen: Option<[f64; 4]>,
     margin_px: f64,
     settings: &Settings,
 ) -> Result<Vec<Stroke>> {
-    let photo = Photo::of(&given.picture);
+    let photo = Photo::of(picture);
     let lines = match unseen {
         Some(bounds) => photo::lines_in(&photo, bounds, settings),
         None => photo::lines(&photo, &object.mask, settings),
     };
     let Some(part) = object.mask.threshold(0.5).bounding_box().filter(|_| !lines.is_empty()) else {
-        return Err(Error::picture(given.picture.name(), "has no lines that could be drawn", "use a sharper picture"));
+        return Err(Error::picture(picture.name(), "has no lines that could be drawn", "use a sharper picture"));
     };
     let longer = photo.width.max(photo.height) as f32;
     let place = Placement::new(&object.mask, &photo, part, margin_px);

@@ -5,12 +5,12 @@ use super::drawn::{self, Found};
 use super::given::Given;
 use super::sides::{other_sides, side_views};
 use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
-use crate::picture::{Ink, OBJECT_PX, Object};
-use crate::settings::{Preset, Read, Settings, Shade, Shading, Start, Task};
+use crate::picture::{Ink, OBJECT_PX, Object, find_object};
+use crate::settings::{Preset, Read, Settings, Shade, Shading, Start, Task, Width};
 use crate::start::{self, Layers, LineOptions, Lines, Solid, SolidOptions};
-use crate::tasks;
 use crate::tasks::recipe::{at_once, recipe};
 use crate::tasks::widths::width_bounds;
+use crate::tasks::{self, photo};
 use crate::view::{Image, Target, View};
 use crate::wire::Wire;
 use crate::{Error, Result};
@@ -57,12 +57,18 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     if is_drawn && settings.read == Read::Auto {
         notes.push(format!("{name}: it is taken for a photograph, so the lines of its object are drawn"));
     }
-    let Some(part) = object.mask.threshold(0.5).bounding_box() else {
+    // Depth belongs to the whole picture, and a box of which all is drawn is looked at as it is.
+    let is_closer = is_drawn && given.depth.is_none() && unseen.is_none();
+    let closer = is_closer.then(|| photo::closer(&given.picture, &object.mask)).flatten();
+    let near = closer.map(|(picture, mask)| find_object(&picture, Some(&mask), 1).map(|object| (picture, object)));
+    let near = near.transpose()?;
+    let (picture, seen) = near.as_ref().map_or((&given.picture, &object), |(picture, object)| (picture, object));
+    let Some(part) = seen.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
     };
     let margin_px = MARGIN * OBJECT_PX as f64;
     let laid = |image: &Image| image.letterboxed(part, OBJECT_PX, OBJECT_PX, margin_px, false);
-    let (mask, body, tone) = (laid(&object.mask), laid(&object.body), laid(&object.tone));
+    let (mask, body, tone) = (laid(&seen.mask), laid(&seen.body), laid(&seen.tone));
 
     let options = SolidOptions { roundness: settings.roundness, most_depth: settings.most_depth };
     let mut solid = Solid::inflated(name, &body, &options)?;
@@ -79,12 +85,15 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
         solid = solid.with_relief(&lightness, settings.relief);
     }
 
-    let (saliency, highlight) = (laid(&object.saliency), laid(&object.highlight));
+    let (saliency, highlight) = (laid(&seen.saliency), laid(&seen.highlight));
     let all_seen = body != mask;
     let layers = Layers { mask, tone, saliency, highlight, all_seen };
     let lines = if is_drawn && settings.shade != Shade::Full {
-        let strokes = drawn::strokes(given, &object, unseen, margin_px, settings)?;
-        Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings))
+        let strokes = drawn::strokes(picture, seen, unseen, margin_px, settings)?;
+        let lines = Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings));
+        // A wire of one width has no thin lines.
+        let share = if settings.width == Width::Constant { 0.0 } else { settings.sections };
+        lines.with_sections(&solid, share)
     } else {
         lines(&layers, &solid, settings)
     };

@@ -5,6 +5,7 @@
 //! back. What is on the back lies behind ink, so that the front does not show it.
 
 mod circuit;
+mod sections;
 mod shades;
 mod strokes;
 mod walk;
@@ -72,9 +73,13 @@ pub struct Lines {
     rim: Mask,
     /// Lines that are on the back too, the rim with them.
     back: Mask,
+    /// Thin lines round the solid that are not drawn but walked, on front and back.
+    sections: Mask,
     /// Half width at each pixel of a line, pixels of this picture.
     half_width_px: Vec<f32>,
+    /// Where ink may be, and the object.
     mask: Image,
+    object: Image,
     /// What share of ink each pixel's shade asks for.
     shade: Image,
 }
@@ -194,7 +199,9 @@ impl Lines {
         if layers.all_seen {
             back = Mask::new(side, side);
         }
-        Lines { side, on, rim, back, half_width_px, mask: mask.clone(), shade }
+        let sections = Mask::new(side, side);
+        let (mask, object) = (mask.clone(), mask.clone());
+        Lines { side, on, rim, back, sections, half_width_px, mask, object, shade }
     }
 
     /// The ink of the lines as a square picture of `size_px`, 0 to 1: the union of discs along them.

@@ -25,8 +25,10 @@ impl Lines {
     /// behind it.
     pub fn walk(&self, solid: &Solid, thin_world: f64) -> Path {
         let side = self.side;
-        let inside = |i: usize| self.mask.data[i] > 0.5;
-        let front = joined(&self.on, |i| if inside(i) { 1.0 } else { GROUND_PRICE });
+        let inside = |i: usize| self.object.data[i] > 0.5;
+        let walked = (0..self.on.data.len()).map(|i| self.on.data[i] || self.sections.data[i]).collect();
+        let walked = Mask { data: walked, ..self.on };
+        let front = joined(&walked, |i| if inside(i) { 1.0 } else { GROUND_PRICE });
         let ink = front.distance_px().data;
         let hidden = |i: usize| ink[i] < self.half_width_px[i].max(1.0);
         let back = joined(&self.back, |i| if hidden(i) { 1.0 } else { SHOWN_PRICE });

@@ -56,6 +56,7 @@ export const WORDS: Readonly<Record<string, SettingWords>> = {
   creases: { label: "Lines at creases", slider: [0, 1, 0.05] },
   roundness: { label: "Roundness", slider: [0, 2, 0.05] },
   most_depth: { label: "Most depth", slider: [0.05, 2, 0.05] },
+  sections: { label: "Thin lines round a photo's object", slider: [0, 1, 0.05] },
   relief: { label: "Relief by lightness", slider: [0, 1, 0.05] },
   side_views: { label: "Sides it is checked from", slider: [0, 12, 1] },
   side_weight: { label: "Weight of the sides", slider: [0, 2, 0.05] },
