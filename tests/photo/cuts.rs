@@ -1,6 +1,7 @@
 //! Objects cut out of the twelve photographs.
 
-use crate::judge::{PHOTOS, box_round, next_stroke, overlap};
+use crate::judge::{PHOTOS, next_stroke};
+use crate::photo_judge::{box_round, overlap};
 use crate::scenes::SIDE;
 use wire4d::Error;
 use wire4d::picture::cut::{Cutter, Hints, SURE, Stroke};

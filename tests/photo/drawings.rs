@@ -1,22 +1,18 @@
 //! Lines drawn of the twelve photographs.
 
-use crate::judge::{PHOTOS, border, box_round, mask, pixels, share_near};
+use crate::judge::PHOTOS;
+use crate::photo_judge::{border, box_round, judged, mask, pixels, share_near};
 use crate::scenes::SIDE;
 use wire4d::picture::cut::{Cutter, Hints};
 use wire4d::picture::drawing::{Budget, Kind, draw, draw_in_box};
 use wire4d::view::Image;
 
-/// Precision (painted borders are lines too), recall of contours and creases, recall of the outline: means of all.
+/// What [`judged`] says of each: means of all.
 fn figures(object: impl Fn(usize) -> Image) -> [f64; 3] {
     let mut sums = [0.0; 3];
     for (k, (taken, photo)) in PHOTOS.iter().enumerate() {
         let lines = draw(photo, &object(k), Budget::default());
-        let drawn = pixels(&lines);
-        let either = |a: &[bool], b: &[bool]| a.iter().zip(b).map(|(a, b)| *a || *b).collect::<Vec<_>>();
-        let truth = either(&taken.contours, &taken.creases);
-        let allowed = either(&truth, &taken.painted);
-        let found =
-            [share_near(&drawn, &allowed), share_near(&truth, &drawn), share_near(&border(&taken.mask), &drawn)];
+        let found = judged(&lines, taken);
         println!("{:20} precision, recall, outline {found:.3?}, {} lines", taken.name, lines.len());
         (0..3).for_each(|k| sums[k] += found[k] / 12.0);
     }

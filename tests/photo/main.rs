@@ -4,6 +4,8 @@ mod cuts;
 mod drawings;
 mod judge;
 mod kinds;
+#[path = "../support/photo_judge/mod.rs"]
+mod photo_judge;
 #[path = "../support/scenes/mod.rs"]
 mod scenes;
 mod scenes_are_true;

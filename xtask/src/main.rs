@@ -8,6 +8,7 @@ mod figures;
 mod fills;
 mod gallery;
 mod page;
+mod photos;
 mod picture;
 mod serve;
 mod setup;
@@ -38,6 +39,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "fills", options: "[shapes|styles|density]", help: fills::HELP, run: fills::run },
     Verb { name: "gallery", options: "[--before] [--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
+    Verb { name: "photos", options: "[scenes|real] [NAME=VALUE]...", help: photos::HELP, run: photos::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
     Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },
     Verb { name: "tables", options: "[--quick] [--only NAME]", help: tables::HELP, run: tables::run },
