@@ -99,6 +99,35 @@ fn each_choice_of_bend_is_told_apart() {
     assert!(text["drawings"][0]["quarterTurns"].is_number() && text["drawings"][0]["view"]["name"].is_string());
 }
 
+/// An outline that fills a box of a sheet of 256 px.
+fn frame(name: &str, width: usize, height: usize) -> Drawing {
+    let [left, top] = [128 - width / 2, 128 - height / 2];
+    let ink = |i: usize| {
+        let (x, y) = ((i % 256).wrapping_sub(left), (i / 256).wrapping_sub(top));
+        let inside = x < width && y < height;
+        255 * u8::from(inside && !((5..width - 5).contains(&x) && (5..height - 5).contains(&y)))
+    };
+    Drawing::from_ink(name, 256, 256, &(0..256 * 256).map(ink).collect::<Vec<_>>()).unwrap()
+}
+
+#[test]
+fn long_and_tall_drawings_keep_their_sizes_or_it_is_said() {
+    let given = [frame("car", 220, 60), frame("giraffe", 60, 220)];
+    let found = preview(&given, &settings("on")).unwrap();
+    let names: Vec<&str> = found.drawings.iter().map(|drawing| drawing.placed.view.name.as_str()).collect();
+    assert_eq!(names, ["front", "top"]);
+    assert!(found.coverable > 0.99 && found.remedies.is_empty());
+    assert!(found.notes.iter().any(|note| note.starts_with("giraffe is seen from the top")), "{:?}", found.notes);
+    // Both fill what they would fill alone: a picture less its margins.
+    for target in plan(&given, &settings("on")).unwrap().arrangement.targets {
+        let ink = target.ink.threshold(0.5).bounding_box().unwrap();
+        assert!(ink.width().abs_diff(215) < 4, "{}: {}", target.view.name, ink.width());
+    }
+    let pinned = preview(&given, &settings("off")).unwrap();
+    assert_eq!(pinned.drawings[1].placed.view.name, "side");
+    assert!(pinned.notes.iter().any(|note| note.starts_with("side: giraffe is drawn at 27%")), "{:?}", pinned.notes);
+}
+
 #[test]
 fn a_blank_drawing_is_named() {
     let mut given = drawings("p02-garden");

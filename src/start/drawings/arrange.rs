@@ -1,7 +1,7 @@
 //! Which drawing goes to which view, mirrored or turned how, so that one object can show as much of their ink as
 //! possible.
 
-use super::boxfit::{BoxFit, fit_box};
+use super::boxfit::{BoxFit, fit_box, fit_box_of_widths};
 use super::orientation::{Cutout, Orientation};
 use crate::error::{Error, Result};
 use crate::view::{Image, Target, View};
@@ -59,10 +59,26 @@ pub struct Placement {
     pub onto: [f64; 4],
 }
 
+impl Placement {
+    /// How large the drawing is in its view, as a share of what it would be without the others.
+    pub fn kept(&self) -> f64 {
+        self.onto[2].max(self.onto[3]) / FILLED
+    }
+}
+
+/// Which side of the object's box views have in common.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sharing {
+    /// Front and side are equally high, and a top shares a side with either; views of other directions share a cube.
+    Height,
+    /// Front and top, and no other view, are equally wide.
+    Width,
+}
+
 /// Drawings in their views, and the object's box.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrangement {
-    /// One a view, in the order front, side, top.
+    /// One a view, in the order front, side, top, or front and top.
     pub placements: Vec<Placement>,
     /// Half sides of the object's box along x, y, z; its corners lie on the unit sphere.
     pub half_extents_world: [f64; 3],
@@ -70,6 +86,8 @@ pub struct Arrangement {
     pub height_world: f64,
     /// What each view should show.
     pub targets: Vec<Target>,
+    /// What the views have in common.
+    pub sharing: Sharing,
     /// The score that chose it: mean and worst view's coverable share, half and half; 0 where nothing was compared.
     pub score: f64,
 }
@@ -84,8 +102,16 @@ const COARSE_STROKE: f32 = 1.2;
 const COARSE_INK: f32 = 0.35;
 /// What another arrangement must gain over the person's own to be preferred.
 const WORTH_MOVING: f64 = 0.01;
+/// Drawings that keep less of their size beside each other go to other views, or it is said.
+pub const KEPT: f64 = 0.7;
+/// What all must keep in those: there is such a way wherever the top may be turned.
+const WHOLE: f64 = 0.95;
+/// What of the score may be lost by that.
+const MOST_LOST: f64 = 0.03;
 
-/// Finds the best arrangement of two (front, side) or three (front, side, top) drawings.
+/// Finds the best arrangement of two (front, side) or three (front, side, top) drawings. Two of very different proportions,
+/// one of which would come out small beside the other since front and side are equally high, are seen from the front and
+/// the top instead: the long side of one along the long side of the other.
 ///
 /// # Errors
 /// If there are not two or three drawings, one is blank, or no arrangement lets the views share ink.
@@ -98,19 +124,36 @@ pub fn arrange(drawings: &[Drawing], options: &ArrangeOptions) -> Result<Arrange
     }
     let Cutouts(cutouts) = &Cutouts::new(drawings)?;
     let coarse: Vec<Cutout> = cutouts.iter().map(|cutout| cutout.traced(4 * COARSE, 4.0 * COARSE_STROKE)).collect();
+    let beside = best(cutouts, &coarse, options, Sharing::Height).ok_or_else(|| Error::Pictures {
+        problem: "the drawings have no ink at a common height or width, so no object can show them together".into(),
+        remedy: "use other drawings, or let them be arranged freely".into(),
+    })?;
+    let moves = drawings.len() == 2 && options.permute && beside.1.kept() < KEPT;
+    let above = moves.then(|| best(cutouts, &coarse, options, Sharing::Width)).flatten();
+    let (score, candidate) = above.filter(|above| above.0 >= beside.0 - MOST_LOST).unwrap_or(beside);
+    Ok(candidate.laid_out(cutouts, options.size_px, score))
+}
+
+/// The way that lets views share most ink, with its score; `None` if none lets them share any, or all shrink a drawing that
+/// is to keep its size.
+fn best(cutouts: &[Cutout], coarse: &[Cutout], options: &ArrangeOptions, sharing: Sharing) -> Option<(f64, Candidate)> {
+    let top = sharing.views(cutouts.len()).iter().position(|&view| view == 2);
     let mut best: Option<(f64, Candidate)> = None;
-    for assignment in permutations(drawings.len(), options.permute) {
+    for assignment in permutations(cutouts.len(), options.permute) {
         for lies_down in [false, true] {
-            if lies_down && (drawings.len() < 3 || !options.turn_top) {
+            if lies_down && (top.is_none() || !options.turn_top) {
                 continue;
             }
-            let lying = |view: usize| view == 2 && lies_down;
+            let lying = |view: usize| Some(view) == top && lies_down;
             let aspects = aspects(cutouts, &assignment, lying);
-            let fit = fit_box(&aspects, options.max_stretch);
+            let fit = sharing.fit(&aspects, options.max_stretch);
+            if sharing == Sharing::Width && kept(&fit, sharing) < WHOLE {
+                continue;
+            }
             // Each view's ways of lying, as bit rows on its side of the box.
             let ways: Vec<Vec<(Orientation, Rows)>> = (0..assignment.len())
                 .map(|view| {
-                    ways(view, lies_down, options)
+                    ways(Some(view) == top, lies_down, options)
                         .into_iter()
                         .map(|way| (way, rows(&coarse[assignment[view]], way, fit.filled[view])))
                         .collect()
@@ -118,28 +161,56 @@ pub fn arrange(drawings: &[Drawing], options: &ArrangeOptions) -> Result<Arrange
                 .collect();
             each_choice(&ways.iter().map(Vec::len).collect::<Vec<_>>(), |choice| {
                 let chosen: Vec<&Rows> = choice.iter().zip(&ways).map(|(&k, ways)| &ways[k].1).collect();
-                let score = score(&chosen);
+                let score = score(&chosen, sharing);
                 // The person's own arrangement comes first.
                 let margin = if best.is_none() { 0.0 } else { WORTH_MOVING };
                 let as_given = |best: &(f64, Candidate)| if best.1.is_as_given() { margin } else { 1e-9 };
                 if best.as_ref().is_none_or(|found| score > found.0 + as_given(found)) {
                     let orientations = choice.iter().zip(&ways).map(|(&k, ways)| ways[k].0).collect();
-                    best = Some((score, Candidate { assignment: assignment.clone(), orientations, fit: fit.clone() }));
+                    let candidate =
+                        Candidate { assignment: assignment.clone(), orientations, sharing, fit: fit.clone() };
+                    best = Some((score, candidate));
                 }
             });
         }
     }
-    let (score, candidate) = best.filter(|found| found.0 > 0.0).ok_or_else(|| Error::Pictures {
-        problem: "the drawings have no ink at a common height or width, so no object can show them together".into(),
-        remedy: "use other drawings, or let them be arranged freely".into(),
-    })?;
-    Ok(candidate.laid_out(cutouts, options.size_px, score))
+    best.filter(|found| found.0 > 0.0)
+}
+
+impl Sharing {
+    /// Which of front, side and top there are, of so many drawings.
+    fn views(self, count: usize) -> &'static [usize] {
+        match self {
+            Sharing::Height => &[0, 1, 2][..count],
+            Sharing::Width => &[0, 2],
+        }
+    }
+
+    fn fit(self, aspects: &[f64], max_stretch: f64) -> BoxFit {
+        match (self, aspects) {
+            (Sharing::Width, &[front, top]) => fit_box_of_widths([front, top], max_stretch),
+            _ => fit_box(aspects, max_stretch),
+        }
+    }
+}
+
+/// The sides across and down of each view's side of a box of `sides`.
+fn spans([w, h, d]: [f64; 3]) -> [[f64; 2]; 3] {
+    [[w, h], [d, h], [w, d]]
+}
+
+/// The least that a drawing keeps of its size in a box.
+fn kept(fit: &BoxFit, sharing: Sharing) -> f64 {
+    let spans = spans(fit.sides);
+    let views = sharing.views(fit.filled.len()).iter().zip(&fit.filled);
+    views.map(|(&view, filled)| (spans[view][0] * filled[0]).max(spans[view][1] * filled[1])).fold(1.0, f64::min)
 }
 
 /// A way to lay the drawings.
 struct Candidate {
     assignment: Vec<usize>,
     orientations: Vec<Orientation>,
+    sharing: Sharing,
     fit: BoxFit,
 }
 
@@ -149,16 +220,21 @@ impl Candidate {
             && self.orientations.iter().all(|&orientation| orientation == Orientation::default())
     }
 
+    /// The least that a drawing keeps of its size.
+    fn kept(&self) -> f64 {
+        kept(&self.fit, self.sharing)
+    }
+
     fn laid_out(self, cutouts: &[Cutout], size_px: usize, score: f64) -> Arrangement {
         let diagonal = self.fit.sides.iter().map(|side| side * side).sum::<f64>().sqrt();
         let half_extents_world = self.fit.sides.map(|side| side / diagonal);
         let height_world = 2.0 * half_extents_world.iter().copied().fold(0.0, f64::max) / FILLED;
-        let [w, h, d] = half_extents_world.map(|half| 2.0 * half / height_world * size_px as f64);
+        let spans_px = spans(half_extents_world.map(|half| 2.0 * half / height_world * size_px as f64));
         let mut placements = Vec::new();
         let mut targets = Vec::new();
         let views = View::canonical(height_world, size_px);
-        for (view, [across, down]) in views.into_iter().zip([[w, h], [d, h], [w, d]]).take(self.assignment.len()) {
-            let index = placements.len();
+        for (index, &view) in self.sharing.views(self.assignment.len()).iter().enumerate() {
+            let [across, down] = spans_px[view];
             let [fill_across, fill_down] = self.fit.filled[index];
             let (width, height) = (across * fill_across, down * fill_down);
             let middle = size_px as f64 / 2.0;
@@ -166,7 +242,7 @@ impl Candidate {
             let source = self.assignment[index];
             let orientation = self.orientations[index];
             let ink = cutouts[source].laid(orientation, area, size_px, size_px);
-            targets.push(Target { view, ink });
+            targets.push(Target { view: views[view].clone(), ink });
             placements.push(Placement {
                 source,
                 orientation,
@@ -175,7 +251,7 @@ impl Candidate {
                 onto: area.map(|px| px / size_px as f64),
             });
         }
-        Arrangement { placements, half_extents_world, height_world, targets, score }
+        Arrangement { placements, half_extents_world, height_world, targets, sharing: self.sharing, score }
     }
 }
 
@@ -199,8 +275,9 @@ impl Cutouts {
     pub fn lay_out(&self, ways: &[(usize, Orientation)], max_stretch: f64, size_px: usize) -> Arrangement {
         let (assignment, orientations): (Vec<usize>, Vec<Orientation>) = ways.iter().copied().unzip();
         let aspects = aspects(&self.0, &assignment, |view| orientations[view].lies_down());
-        let fit = fit_box(&aspects, max_stretch);
-        Candidate { assignment, orientations, fit }.laid_out(&self.0, size_px, 0.0)
+        let sharing = Sharing::Height;
+        let fit = sharing.fit(&aspects, max_stretch);
+        Candidate { assignment, orientations, sharing, fit }.laid_out(&self.0, size_px, 0.0)
     }
 }
 
@@ -223,8 +300,8 @@ fn permutations(count: usize, permute: bool) -> Vec<Vec<usize>> {
 }
 
 /// The orientations a view may take, upright first.
-fn ways(view: usize, lies_down: bool, options: &ArrangeOptions) -> Vec<Orientation> {
-    let turns: &[u8] = match (view == 2 && options.turn_top, view == 2 && lies_down) {
+fn ways(is_top: bool, lies_down: bool, options: &ArrangeOptions) -> Vec<Orientation> {
+    let turns: &[u8] = match (is_top && options.turn_top, is_top && lies_down) {
         (_, true) => &[1, 3],
         (true, false) => &[0, 2],
         _ => &[0],
@@ -258,8 +335,11 @@ fn rows(cutout: &Cutout, orientation: Orientation, filled: [f64; 2]) -> Rows {
 }
 
 /// Mean and least coverable share, half and half: a view that fails is worse than three that lack a little.
-fn score(views: &[&Rows]) -> f64 {
-    let shares = coverable_shares(views);
+fn score(views: &[&Rows], sharing: Sharing) -> f64 {
+    let shares = match (sharing, views) {
+        (Sharing::Width, &[front, top]) => shares_of_widths(front, top),
+        _ => coverable_shares(views),
+    };
     let mean = shares.iter().sum::<f64>() / shares.len() as f64;
     0.5 * mean + 0.5 * shares.iter().copied().fold(1.0, f64::min)
 }
@@ -280,13 +360,25 @@ fn coverable_shares(views: &[&Rows]) -> Vec<f64> {
         }
         covered[0][y] = front_cells;
     }
+    views.iter().zip(&covered).map(|(ink, covered)| share(covered, ink)).collect()
+}
+
+/// The same of a front and a top that share their columns.
+fn shares_of_widths(front: &Rows, top: &Rows) -> Vec<f64> {
+    let columns = |rows: &Rows| rows.iter().fold(0, |columns, row| columns | row);
+    let both = columns(front) & columns(top);
+    [front, top].iter().map(|ink| share(&ink.map(|row| row & both), ink)).collect()
+}
+
+fn share(covered: &Rows, ink: &Rows) -> f64 {
     let count = |rows: &Rows| rows.iter().map(|row| row.count_ones()).sum::<u32>();
-    views.iter().zip(&covered).map(|(ink, covered)| f64::from(count(covered)) / f64::from(count(ink).max(1))).collect()
+    f64::from(count(covered)) / f64::from(count(ink).max(1))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::Ink;
     use crate::rng::Rng;
 
     fn random_rows(rng: &mut Rng, share: f64) -> Rows {
@@ -314,6 +406,11 @@ mod tests {
         };
         assert_eq!(coverable_shares(&[&front, &side, &top]), brute(true));
         assert_eq!(coverable_shares(&[&front, &side]), brute(false)[..2]);
+        // A front and a top are a front and a side turned by a quarter.
+        let turned = |rows: &Rows| -> Rows {
+            std::array::from_fn(|y| (0..COARSE).filter(|&x| rows[x] >> y & 1 == 1).fold(0, |row, x| row | 1 << x))
+        };
+        assert_eq!(shares_of_widths(&front, &top), coverable_shares(&[&turned(&front), &turned(&top)]));
         assert_ne!(coverable_shares(&[&front, &side, &top]), coverable_shares(&[&side, &front, &top]));
     }
 
@@ -369,6 +466,49 @@ mod tests {
         }
         let norm = found.half_extents_world.iter().map(|h| h * h).sum::<f64>().sqrt();
         assert!((norm - 1.0).abs() < 1e-12);
+    }
+
+    /// A zigzag that fills a box of a picture.
+    fn zigzag(name: &str, width: usize, height: usize) -> Drawing {
+        let mut ink = Image::new(width + 20, height + 20);
+        for step in 0..2000 {
+            let t = step as f64 / 2000.0;
+            let wave = |k: f64| 1.0 - (2.0 * (k * t).fract() - 1.0).abs();
+            let (x, y) = if width > height { (t, wave(5.0)) } else { (wave(5.0), t) };
+            for (dx, dy) in (0..9).map(|i| (i % 3, i / 3)) {
+                let (x, y) = ((x * (width - 3) as f64) as usize + dx, (y * (height - 3) as f64) as usize + dy);
+                ink.data[(y + 10) * (width + 20) + x + 10] = 1.0;
+            }
+        }
+        Drawing { name: name.into(), ink }
+    }
+
+    #[test]
+    fn long_and_tall_drawings_keep_their_sizes_above_each_other() {
+        let (car, mast) = (zigzag("car", 200, 60), zigzag("mast", 60, 200));
+        for drawings in [[car.clone(), mast.clone()], [mast.clone(), car.clone()]] {
+            let beside = arrange(&drawings, &ArrangeOptions::default().pinned()).unwrap();
+            let kept: Vec<f64> = beside.placements.iter().map(Placement::kept).collect();
+            assert!(beside.sharing == Sharing::Height && kept.iter().any(|&k| k > 0.99));
+            assert!(kept.iter().any(|&k| k < 0.35), "{kept:?}");
+            let above = arrange(&drawings, &ArrangeOptions::default()).unwrap();
+            let names: Vec<&str> = above.targets.iter().map(|target| target.view.name.as_str()).collect();
+            assert_eq!((above.sharing, names), (Sharing::Width, vec!["front", "top"]));
+            assert!(above.placements.iter().all(|placement| placement.kept() > 0.99 && placement.stretch == 1.0));
+            assert!(above.score > 0.95, "{}", above.score);
+            for (target, placement) in above.targets.iter().zip(&above.placements) {
+                let found = target.ink.threshold(0.5).bounding_box().unwrap();
+                let drawn = [placement.onto[2], placement.onto[3]].map(|share| 256.0 * share);
+                assert!(
+                    (found.width() as f64 - drawn[0]).abs() < 3.0 && (found.height() as f64 - drawn[1]).abs() < 3.0
+                );
+            }
+        }
+        // A broad one goes above the long one as it is; what is nearly of one proportion stays beside.
+        let broad = arrange(&[car.clone(), zigzag("cow", 200, 150)], &ArrangeOptions::default()).unwrap();
+        assert!(broad.sharing == Sharing::Width && broad.placements.iter().all(|placement| placement.kept() > 0.99));
+        let alike = arrange(&[zigzag("a", 200, 100), zigzag("b", 200, 130)], &ArrangeOptions::default()).unwrap();
+        assert_eq!(alike.sharing, Sharing::Height);
     }
 
     #[test]

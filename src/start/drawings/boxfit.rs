@@ -22,7 +22,7 @@ const MOST_SLENDER: f64 = 8.0;
 
 /// Fits the box to the aspects (width / height) of the front, the side and, if given, the top drawing.
 pub fn fit_box(aspects: &[f64], max_stretch: f64) -> BoxFit {
-    let usable: Vec<f64> = aspects.iter().map(|a| a.clamp(1.0 / MOST_SLENDER, MOST_SLENDER)).collect();
+    let usable: Vec<f64> = aspects.iter().map(|&aspect| usable(aspect)).collect();
     let share = match usable[..] {
         [front, side, top] => (side * top / front).cbrt(),
         _ => 1.0,
@@ -33,6 +33,22 @@ pub fn fit_box(aspects: &[f64], max_stretch: f64) -> BoxFit {
     let box_aspects = [w, d, w / d];
     let (stretch, filled) = aspects.iter().zip(box_aspects).map(|(&own, side)| fill(own, side, max_stretch)).unzip();
     BoxFit { sides: [w, 1.0, d].map(|side| side / longest), stretch, filled }
+}
+
+/// Fits the box to two drawings that share their width: the front's aspect and the top's. Neither is ever stretched.
+pub fn fit_box_of_widths([front, top]: [f64; 2], max_stretch: f64) -> BoxFit {
+    let [usable_front, usable_top] = [front, top].map(usable);
+    // Width 1: the front is as high, the top as deep as its aspect says.
+    let (h, d) = (1.0 / usable_front, 1.0 / usable_top);
+    let longest = h.max(d).max(1.0);
+    let (stretch, filled) =
+        [(front, usable_front), (top, usable_top)].iter().map(|&(own, side)| fill(own, side, max_stretch)).unzip();
+    BoxFit { sides: [1.0, h, d].map(|side| side / longest), stretch, filled }
+}
+
+/// An aspect that leaves a box room for a wire.
+fn usable(aspect: f64) -> f64 {
+    aspect.clamp(1.0 / MOST_SLENDER, MOST_SLENDER)
 }
 
 /// How a drawing of aspect `own` fills a side of aspect `side` when stretched by at most `max_stretch`.

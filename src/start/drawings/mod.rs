@@ -18,7 +18,7 @@ mod shortest;
 pub(super) mod trail;
 mod tree;
 
-pub use arrange::{ArrangeOptions, Arrangement, Cutouts, Drawing, Placement, arrange};
+pub use arrange::{ArrangeOptions, Arrangement, Cutouts, Drawing, KEPT, Placement, Sharing, arrange};
 pub use bend::{BendOptions, Bent, bend};
 pub use boxfit::{BoxFit, fit_box};
 pub use grid::Grid;

@@ -1,6 +1,6 @@
 //! Drawings in views of any direction: upright, as given, each as large as the common frame allows.
 
-use super::arrange::{Arrangement, Cutouts, Drawing, FILLED, Placement};
+use super::arrange::{Arrangement, Cutouts, Drawing, FILLED, Placement, Sharing};
 use super::orientation::Orientation;
 use crate::error::{Error, Result};
 use crate::view::{Target, View, ViewSpec};
@@ -47,7 +47,7 @@ pub fn place(drawings: &[Drawing], seen_from: &[Option<ViewSpec>], size_px: usiz
             onto: area.map(|px| px / size_px as f64),
         });
     }
-    Ok(Arrangement { placements, half_extents_world, height_world, targets, score: 0.0 })
+    Ok(Arrangement { placements, half_extents_world, height_world, targets, sharing: Sharing::Height, score: 0.0 })
 }
 
 /// Whether two views look along the same direction (to a hundredth of a degree or so).

@@ -8,7 +8,7 @@ use crate::picture::Ink;
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
-    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement,
+    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement, Sharing,
     TrailOptions, TreeOptions,
 };
 use crate::tasks::recipe::{WIDE, recipe};
@@ -109,6 +109,7 @@ impl Plan {
         if self.placed {
             notes.push("Some pictures are seen from sides of their own: all are placed as given, not arranged".into());
         }
+        notes.extend(self.notes_on_sizes());
         for ((target, placement), coverable) in
             self.arrangement.targets.iter().zip(&self.arrangement.placements).zip(&self.coverable)
         {
@@ -123,6 +124,30 @@ impl Plan {
             }
         }
         notes
+    }
+
+    /// What is smaller than it would be without the others, and what was moved so that nothing is.
+    fn notes_on_sizes(&self) -> Vec<String> {
+        let Arrangement { targets, placements, sharing, .. } = &self.arrangement;
+        let name = |placement: &Placement| &self.sources[placement.source];
+        if *sharing == Sharing::Width {
+            let [front, top] = [0, 1].map(|view| name(&placements[view]));
+            return vec![format!(
+                "{top} is seen from the top and as wide as {front}: beside each other, equally high, one of them would \
+                 come out small",
+            )];
+        }
+        let shrunk = targets.iter().zip(placements).filter(|(_, placement)| placement.kept() < start::KEPT);
+        let note = |(target, placement): (&Target, &Placement)| {
+            format!(
+                "{}: {} is drawn at {:.0}% of the size that it would have alone, since views of one object are equally \
+                 high or wide; pictures of like proportions keep theirs",
+                target.view.name,
+                name(placement),
+                100.0 * placement.kept(),
+            )
+        };
+        shrunk.map(note).collect()
     }
 
     /// Whether the drawings are bent before the fit.

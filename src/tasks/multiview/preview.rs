@@ -7,7 +7,7 @@ use super::remedies::{Trials, remedies};
 use crate::Result;
 use crate::metrics::soft_iou;
 use crate::settings::{Bend, OnOff, Settings};
-use crate::start::{self, BendOptions, REPORT_ACROSS, coverable, mean_share};
+use crate::start::{self, BendOptions, REPORT_ACROSS, Sharing, coverable, mean_share};
 use crate::tasks::Placed;
 use crate::view::Image;
 use serde::Serialize;
@@ -77,7 +77,10 @@ pub fn preview(drawings: &[Drawing], settings: &Settings) -> Result<Preview> {
     let (as_given, remedies) = if moves {
         let mut trials = Trials::new(&named(drawings), settings)?;
         let as_given = if settings.arrange == OnOff::On { trials.as_given()? } else { now };
-        (as_given, remedies(&plan, drawings, &mut trials, settings)?)
+        // What is above each other was moved there by arranging, and shows all that it can.
+        let is_above = plan.arrangement.sharing == Sharing::Width;
+        let found = if is_above { Vec::new() } else { remedies(&plan, drawings, &mut trials, settings)? };
+        (as_given, found)
     } else {
         (now, Vec::new())
     };
