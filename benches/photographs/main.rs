@@ -40,7 +40,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let settings = Task::Stroke.settings(pairs.clone())?;
     let others = pairs.into_iter().filter(|(name, _)| *name != "preset");
     let fast = Task::Stroke.settings(others.chain([("preset", "fast")]).collect::<Vec<_>>())?;
-    let [folder, list @ ..] = &paths[..] else { return Err("say where the results go".into()) };
+    let [folder, list @ ..] = &paths[..] else {
+        println!("nothing is measured: say in which folder the results go");
+        return Ok(());
+    };
     let measure = |subject: Subject| -> Result<(), Box<dyn std::error::Error>> {
         let out = Path::new(folder).join(&subject.name);
         match measure::run(&subject, &settings, &fast, &out) {
