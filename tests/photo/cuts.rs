@@ -5,7 +5,6 @@ use crate::photo_judge::{box_round, overlap};
 use crate::scenes::SIDE;
 use wire4d::Error;
 use wire4d::picture::cut::{Cutter, Hints, SURE, Stroke};
-use wire4d::picture::{Photo, Picture};
 
 fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
@@ -40,8 +39,7 @@ fn a_box_finds_the_object_and_four_strokes_mend_what_is_wrong() {
     }
     println!("box {:.3}, worst {:.3}", mean(&boxed), least(&boxed));
     println!("four strokes {:.3}, worst {:.3}", mean(&stroked), least(&stroked));
-    // The label of the bottle has the tiles' colour and no edge towards them: only a stroke tells.
-    assert!(mean(&boxed) >= 0.93 && least(&boxed) >= 0.75);
+    assert!(mean(&boxed) >= 0.93 && least(&boxed) >= 0.82);
     assert!(mean(&stroked) >= 0.97 && least(&stroked) >= 0.93);
 }
 
@@ -98,36 +96,4 @@ fn hints_that_cannot_be_meant_are_refused_with_a_way_on() {
     }
     // Whatever was refused, the next box works.
     assert!(cutter.cut(&boxed([60.0, 100.0, 420.0, 460.0])).is_ok());
-}
-
-fn made(name: &str, pixel: impl Fn(usize, usize) -> [u8; 3]) -> Photo {
-    let rgba = (0..128 * 128).flat_map(|i| {
-        let [r, g, b] = pixel(i % 128, i / 128);
-        [r, g, b, 255]
-    });
-    Photo::of(&Picture::new(name, 128, 128, rgba.collect()).unwrap())
-}
-
-#[test]
-fn pictures_without_an_object_say_so() {
-    let flat = |value: u8| made("photo", |_, _| [value; 3]);
-    for (photo, problem) in [(flat(3), "dark"), (flat(200), "one colour")] {
-        let error = Cutter::new(photo).cut(&Hints::default()).unwrap_err();
-        assert!(matches!(&error, Error::Picture { .. }) && error.to_string().contains(problem), "{error}");
-    }
-    let grass = made("grass", |x, y| {
-        let h = (x as u32).wrapping_mul(2_654_435_761) ^ (y as u32).wrapping_mul(2_246_822_519);
-        let h = (h ^ h >> 15).wrapping_mul(2_246_822_519);
-        [(h >> 24) as u8 / 2, 60 + (h >> 25) as u8, 20]
-    });
-    let blur = made("blur", |x, y| [80 + (x / 2) as u8, 80 + (y / 3) as u8, 90]);
-    for (photo, word) in [(grass, "texture"), (blur, "blurred")] {
-        match Cutter::new(photo).cut(&Hints::default()) {
-            Ok(cut) => assert!(cut.notes.iter().any(|note| note.contains(word)), "{word}: {:?}", cut.notes),
-            Err(error) => assert!(matches!(error, Error::Picture { .. }), "{error}"),
-        }
-    }
-    // As small as pictures get.
-    let dots = Photo::of(&Picture::new("dots", 2, 1, vec![0, 0, 0, 255, 255, 255, 255, 255]).unwrap());
-    let _ = Cutter::new(dots).cut(&Hints::default());
 }

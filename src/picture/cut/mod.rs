@@ -3,9 +3,11 @@
 //! Cuts are iterated between the colours of object and ground (GrabCut; Rother, Kolmogorov and Blake 2004): first small,
 //! then once more at full size in a band along the border. Without a hint it is looked for, and how sure that is is said.
 
+mod bars;
 mod colours;
 mod flow;
 mod level;
+mod place;
 mod region;
 mod saliency;
 mod strokes;
@@ -59,10 +61,15 @@ const BLURRED: f32 = 1.2;
 /// A picture whose usual slope is this share of its steepest is texture all over.
 const TEXTURE: f32 = 0.3;
 
+/// A box of more than this share of the picture is about all of it.
+const NEARLY_ALL: f64 = 0.7;
+
 /// Cuts one photograph, again and again as hints come in. What it finds depends on the hints alone, not on what was
 /// asked before.
 pub struct Cutter {
     photo: Photo,
+    /// What of it is no black bar.
+    frame: [usize; 4],
     /// What was found in the whole picture, and inside the last box, before any stroke.
     whole: Option<Found>,
     boxed: Option<([usize; 4], Found)>,
@@ -76,7 +83,7 @@ struct Found {
 impl Cutter {
     /// For one photograph.
     pub fn new(photo: Photo) -> Cutter {
-        Cutter { photo, whole: None, boxed: None }
+        Cutter { frame: bars::without_bars(&photo), photo, whole: None, boxed: None }
     }
 
     /// The photograph.
@@ -92,7 +99,7 @@ impl Cutter {
     /// where nothing is found.
     pub fn cut(&mut self, hints: &Hints) -> Result<Cut> {
         let bounds = self.bounds(hints)?;
-        self.check_strokes(hints, bounds)?;
+        self.check_strokes(hints, bounds.unwrap_or(self.frame))?;
         let mut notes = self.looked_over()?;
         let Found { region, guess } = self.found(bounds);
         let (mask, guessed) = (region.cut(guess, &hints.object, &hints.ground), guess.sure);
@@ -114,21 +121,23 @@ impl Cutter {
     }
 
     /// What is found inside a box before any stroke. What is surely found without it is meant if it fills the box.
-    fn found(&mut self, bounds: [usize; 4]) -> &Found {
-        let photo = &self.photo;
-        let all = [0, 0, photo.width, photo.height];
-        let whole = self.whole.get_or_insert_with(|| {
-            let region = Region::new(photo, all);
+    fn found(&mut self, bounds: Option<[usize; 4]>) -> &Found {
+        let (photo, frame) = (&self.photo, self.frame);
+        let whole = || {
+            let region = Region::new(photo, None, frame);
             Found { guess: region.guess(), region }
-        });
-        if bounds == all {
-            return whole;
-        }
+        };
+        let Some(bounds) = bounds else { return self.whole.get_or_insert_with(whole) };
         if self.boxed.as_ref().is_none_or(|(of, _)| *of != bounds) {
-            let region = Region::new(photo, bounds);
-            let seen = (whole.guess.sure >= SURE).then(|| whole.region.cut(&whole.guess, &[], &[]));
-            let guess = match seen.filter(|mask| fills(mask, bounds)) {
-                Some(mask) => Guess { object: region.cut_from(&mask), sure: whole.guess.sure },
+            let region = Region::new(photo, Some(bounds), frame);
+            let area = |[left, top, right, bottom]: [usize; 4]| ((right - left) * (bottom - top)) as f64;
+            // A box round nearly everything says that the object is that large, and costs as much as everything.
+            let is_part = area(bounds) < NEARLY_ALL * area(frame);
+            let whole = is_part.then(|| &*self.whole.get_or_insert_with(whole));
+            let sure = whole.filter(|whole| whole.guess.sure >= SURE);
+            let seen = sure.map(|whole| (whole.region.cut(&whole.guess, &[], &[]), whole.guess.sure));
+            let guess = match seen.filter(|(mask, _)| fills(mask, bounds)) {
+                Some((mask, sure)) => Guess { object: region.cut_from(&mask), sure },
                 None => region.guess(),
             };
             self.boxed = Some((bounds, Found { region, guess }));
@@ -137,23 +146,29 @@ impl Cutter {
     }
 
     /// The box as whole pixels: first columns and rows, and one past the last.
-    fn bounds(&self, hints: &Hints) -> Result<[usize; 4]> {
-        let (width, height) = (self.photo.width, self.photo.height);
-        let Some([left, top, right, bottom]) = hints.bounds else { return Ok([0, 0, width, height]) };
+    fn bounds(&self, hints: &Hints) -> Result<Option<[usize; 4]>> {
+        let Some([left, top, right, bottom]) = hints.bounds else { return Ok(None) };
         let refuse = |problem: &str| Err(Error::setting("box", problem, "drag it round the object"));
         if ![left, top, right, bottom].iter().all(|v| v.is_finite()) || right <= left || bottom <= top {
             return refuse("has no area");
         }
-        let inside = |v: f32, side: usize| v.clamp(0.0, side as f32);
-        let [l, r] = [inside(left, width).floor(), inside(right, width).ceil()].map(|v| v as usize);
-        let [t, b] = [inside(top, height).floor(), inside(bottom, height).ceil()].map(|v| v as usize);
+        let inside = |v: f32, from: usize, to: usize| v.clamp(from as f32, to as f32);
+        let [x0, y0, x1, y1] = self.frame;
+        let [l, r] = [inside(left, x0, x1).floor(), inside(right, x0, x1).ceil()].map(|v| v as usize);
+        let [t, b] = [inside(top, y0, y1).floor(), inside(bottom, y0, y1).ceil()].map(|v| v as usize);
         if r <= l || b <= t {
-            return refuse("lies outside the picture");
+            let [width, height] = [self.photo.width as f32, self.photo.height as f32];
+            let is_outside = right <= 0.0 || bottom <= 0.0 || left >= width || top >= height;
+            return refuse(if is_outside {
+                "lies outside the picture"
+            } else {
+                "lies in the black bar of the picture"
+            });
         }
         if (r - l).min(b - t) < 4 {
             return refuse("is too small to hold anything");
         }
-        Ok([l, t, r, b])
+        Ok(Some([l, t, r, b]))
     }
 
     fn check_strokes(&self, hints: &Hints, [left, top, right, bottom]: [usize; 4]) -> Result<()> {

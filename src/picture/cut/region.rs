@@ -1,7 +1,8 @@
 //! What is looked at for one box: the part of the photograph in and round it, small and at full size.
 
 use super::Stroke;
-use super::level::{Known, Level};
+use super::level::{Known, Level, Weights};
+use super::place::Place;
 use super::saliency::saliency;
 use super::strokes::{reach, under};
 use super::tidy::{grown, tidy};
@@ -22,6 +23,14 @@ const ROUNDS: usize = 6;
 /// How much pixels at a stroke lean to its side, in the units of surprise.
 const LEAN: f32 = 8.0;
 
+/// How often what places say counts in the first cuts of a box: that starts with what is solid, and only then asks
+/// colours whether there are holes.
+const FIRST: f32 = 2.0;
+const FIRST_ROUNDS: usize = 2;
+/// An object that fills less of its box than this share is part of one, and how much that counts against a cut.
+const LEAST_FILL: f32 = 0.45;
+const UNFILLED: f32 = 4.0;
+
 /// How much better a cut begun from what catches the eye must fit to be taken.
 const WORSE: f32 = 0.1;
 /// Share of a box's width and height that an object in it has at least.
@@ -35,8 +44,8 @@ pub struct Region {
     corner: [usize; 2],
     small: Level,
     full: Level,
-    /// Whether there is a box.
-    boxed: bool,
+    /// What the box says of the small part's places; nothing without one.
+    places: Vec<f32>,
     /// Where the box is in the small part; all but the picture's rim without one.
     inside: Vec<bool>,
 }
@@ -48,11 +57,12 @@ pub struct Guess {
 }
 
 impl Region {
-    /// For a box: columns and rows of its first and after its last pixel.
-    pub fn new(photo: &Photo, [left, top, right, bottom]: [usize; 4]) -> Region {
+    /// For a box, or all of the picture that is in `frame`: columns and rows of the first and after the last pixel.
+    pub fn new(photo: &Photo, bounds: Option<[usize; 4]>, frame: [usize; 4]) -> Region {
+        let [left, top, right, bottom] = bounds.unwrap_or(frame);
         let ring = (RING * (right - left).max(bottom - top) as f64).round() as usize;
-        let [x0, y0] = [left.saturating_sub(ring), top.saturating_sub(ring)];
-        let [x1, y1] = [(right + ring).min(photo.width), (bottom + ring).min(photo.height)];
+        let [x0, y0] = [left.saturating_sub(ring).max(frame[0]), top.saturating_sub(ring).max(frame[1])];
+        let [x1, y1] = [(right + ring).min(frame[2]), (bottom + ring).min(frame[3])];
         let (width, height) = (x1 - x0, y1 - y0);
         let lab: Vec<[f32; 3]> = (y0..y1).flat_map(|y| &photo.lab[y * photo.width + x0..][..width]).copied().collect();
         let scale = (SMALL_PX as f64 / width.max(height) as f64).min(1.0);
@@ -60,39 +70,55 @@ impl Region {
         let channel =
             |c: usize| Image { width, height, data: lab.iter().map(|lab| lab[c]).collect() }.resized(w, h).data;
         let [l, a, b] = [0, 1, 2].map(channel);
-        let small = Level::new(w, h, (0..l.len()).map(|i| [l[i], a[i], b[i]]).collect());
-        let in_box = |x: usize, y: usize| {
-            let at = |v: usize, from: usize| from as f64 + (v as f64 + 0.5) / scale;
-            (left as f64..right as f64).contains(&at(x, x0)) && (top as f64..bottom as f64).contains(&at(y, y0))
-        };
-        let mut inside: Vec<bool> = (0..w * h).map(|i| in_box(i % w, i / w)).collect();
-        let outside = inside.iter().filter(|&&inside| !inside).count();
-        if (outside as f64) < 0.02 * (w * h) as f64 {
+        let weights = if bounds.is_some() { Weights::BOX } else { Weights::ANYWHERE };
+        let small = Level::new(w, h, (0..l.len()).map(|i| [l[i], a[i], b[i]]).collect(), weights);
+        let at = |i: usize| [(i % w, x0), (i / w, y0)].map(|(v, from)| from as f64 + (v as f64 + 0.5) / scale);
+        let in_box =
+            |[x, y]: [f64; 2]| (left as f64..right as f64).contains(&x) && (top as f64..bottom as f64).contains(&y);
+        let mut inside: Vec<bool> = (0..w * h).map(|i| in_box(at(i))).collect();
+        let mut places = Vec::new();
+        if bounds.is_some() {
+            let place = Place::new([left, top, right, bottom], frame);
+            places = (0..w * h).map(|i| place.lean(at(i))).collect();
+        } else {
             for (i, inside) in inside.iter_mut().enumerate() {
                 let (x, y) = (i % w, i / w);
                 *inside &= x >= 2 && y >= 2 && x + 2 < w && y + 2 < h;
             }
         }
-        let full = Level::new(width, height, lab);
-        let boxed = [left, top, right, bottom] != [0, 0, photo.width, photo.height];
-        Region { size: [photo.width, photo.height], corner: [x0, y0], small, full, boxed, inside }
+        let full = Level::new(width, height, lab, weights);
+        Region { size: [photo.width, photo.height], corner: [x0, y0], small, full, places, inside }
+    }
+
+    fn is_boxed(&self) -> bool {
+        !self.places.is_empty()
     }
 
     /// The object without strokes: begun once with all that is inside, once with what catches the eye.
     pub fn guess(&self) -> Guess {
         let known = self.outside_is_ground();
-        let whole = self.small.cut(&known, &self.inside, &[], ROUNDS);
+        let whole = self.small.cut(&known, &self.likely(&known), &self.places, ROUNDS);
         let salient = self.salient();
-        let eye = self.small.cut(&known, &salient, &[], ROUNDS);
+        let eye = self.small.cut(&known, &salient, &self.places, ROUNDS);
         let (same, seen) = (overlap(&whole, &eye), overlap(&salient, &eye));
         let object = if self.score(&eye) > self.score(&whole) + WORSE { eye } else { whole };
         // A box says where it is, so that what catches the eye need not be it; but it fills the box.
-        let sure = if self.boxed {
+        let sure = if self.is_boxed() {
             same * (1.0 - 2.0 * self.shortfall(&object)).max(0.0)
         } else {
             seen.powf(1.5) * same.sqrt()
         };
         Guess { object, sure }
+    }
+
+    /// What the object may be from its place: in a box what is round and solid, else all.
+    fn likely(&self, known: &[Known]) -> Vec<bool> {
+        if !self.is_boxed() {
+            return self.inside.clone();
+        }
+        let round: Vec<bool> = (0..known.len()).map(|i| self.inside[i] && self.places[i] >= 0.0).collect();
+        let lean: Vec<f32> = self.places.iter().map(|lean| FIRST * lean).collect();
+        self.small.cut(known, &round, &lean, FIRST_ROUNDS)
     }
 
     fn outside_is_ground(&self) -> Vec<Known> {
@@ -141,7 +167,9 @@ impl Region {
             })
             .collect();
         let touching = sides.iter().filter(|&&i| object[i]).count() as f32 / sides.len().max(1) as f32;
-        0.5 * along.min(2.5) - 6.0 * self.shortfall(object) - 4.0 * touching
+        let fill = mask.count() as f32 / self.inside.iter().filter(|&&inside| inside).count().max(1) as f32;
+        let unfilled = if self.is_boxed() { UNFILLED * (LEAST_FILL - fill).max(0.0) } else { 0.0 };
+        0.5 * (along - 2.0 * unfilled).min(2.5) - 6.0 * self.shortfall(object) - 4.0 * touching
     }
 
     /// The object at the small size, begun with a mask as large as the photograph.
@@ -150,7 +178,7 @@ impl Region {
         let [left, top] = self.corner.map(|c| c as f64);
         let window = [left, top, left + self.full.width as f64, top + self.full.height as f64];
         let start = mask.window(window, self.small.width, self.small.height).threshold(0.5);
-        self.small.cut(&known, &start.data, &[], 2)
+        self.small.cut(&known, &start.data, &self.places, 2)
     }
 
     fn salient(&self) -> Vec<bool> {
@@ -193,7 +221,8 @@ impl Region {
             let stroked = known(small, scale);
             let [near, off] = [Known::Object, Known::Ground]
                 .map(|side| reach(small, &stroked.iter().map(|&known| known == side).collect::<Vec<_>>()));
-            let lean: Vec<f32> = near.iter().zip(&off).map(|(near, off)| LEAN * (near - off)).collect();
+            let place = |i: usize| self.places.get(i).copied().unwrap_or(0.0);
+            let lean: Vec<f32> = (0..near.len()).map(|i| LEAN * (near[i] - off[i]) + place(i)).collect();
             let start: Vec<bool> =
                 (0..found.len()).map(|i| if near[i] == off[i] { found[i] } else { near[i] > off[i] }).collect();
             let known: Vec<Known> =
