@@ -47,6 +47,8 @@ pub fn command() -> Command {
                         .allow_hyphen_values(true)
                         .help("A box round the object, in pixels of the picture: what is outside is ground"),
                 )
+                .arg(strokes("mark-object", "A stroke on the object, in pixels of the picture; two numbers are a dot; again for more"))
+                .arg(strokes("mark-ground", "A stroke on what is not the object, likewise"))
                 .arg(file("depth", "How near each of its pixels is: a picture of its size, light is near").long("depth"))
                 .arg(
                     Arg::new("view")
@@ -161,6 +163,10 @@ pub fn command() -> Command {
 
 fn file(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name).value_parser(value_parser!(PathBuf)).help(help).value_name("FILE")
+}
+
+fn strokes(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name).long(name).value_name("X,Y,X,Y").action(ArgAction::Append).allow_hyphen_values(true).help(help)
 }
 
 fn out_folder() -> Arg {

@@ -1,20 +1,33 @@
 //! A photograph as tasks read it: its object, and the lines that are drawn of it.
 
 use crate::Result;
-use crate::picture::cut::{Cut, Cutter, Hints};
+use crate::picture::cut::{Cut, Cutter, Hints, Stroke};
 use crate::picture::drawing::{self, Budget, Line};
 use crate::picture::{Ink, PHOTO_PX, Photo, Picture};
 use crate::settings::Settings;
 use crate::view::Image;
 
-/// The object: what is in the box (left, top, right, bottom, px of the picture), or what stands out.
+/// The object: what hints in px of the picture point at, or what stands out. `kept` is what is known of the same picture
+/// from before.
 ///
 /// # Errors
 /// As [`Cutter::cut`].
-pub(super) fn cut(picture: &Picture, bounds: Option<[f64; 4]>) -> Result<Cut> {
-    let photo = Photo::of(picture);
-    let bounds = bounds.map(|bounds| bounds.map(|side| (side * photo.scale) as f32));
-    Cutter::new(photo).cut(&Hints { bounds, ..Hints::default() })
+pub(super) fn cut(picture: &Picture, hints: &Hints, kept: &mut Option<Cutter>) -> Result<Cut> {
+    let cutter = kept.get_or_insert_with(|| Cutter::new(Photo::of(picture)));
+    let scale = cutter.photo().scale as f32;
+    cutter.cut(&scaled(hints, scale))
+}
+
+fn scaled(hints: &Hints, scale: f32) -> Hints {
+    let stroke = |stroke: &Stroke| Stroke {
+        points: stroke.points.iter().map(|point| point.map(|c| c * scale)).collect(),
+        radius_px: stroke.radius_px * scale,
+    };
+    Hints {
+        bounds: hints.bounds.map(|bounds| bounds.map(|side| side * scale)),
+        object: hints.object.iter().map(stroke).collect(),
+        ground: hints.ground.iter().map(stroke).collect(),
+    }
 }
 
 /// An object whose longer side takes at most this share of what is looked at of its photograph is looked at more closely.

@@ -2,10 +2,11 @@
 
 use crate::scenes::{SIDE, Scene, photograph, twelve};
 use wire4d::Error;
+use wire4d::picture::cut::{SURE, Stroke};
 use wire4d::picture::{Ink, Mask, Picture};
 use wire4d::settings::{Settings, Task};
 use wire4d::tasks::Run;
-use wire4d::tasks::stroke::{Given, Plan, find, plan};
+use wire4d::tasks::stroke::{Given, Kept, Plan, find, look, plan};
 use wire4d::view::Image;
 
 fn picture(scene: &Scene) -> Picture {
@@ -94,4 +95,70 @@ fn a_box_says_which_thing_and_one_that_cannot_be_is_refused() {
         let refused = find(&Given { bounds: Some(bounds), ..mug() }, &settings(&[]));
         assert!(matches!(refused.err(), Some(Error::Setting { name, .. }) if name == "box"), "{bounds:?}");
     }
+}
+
+/// A stroke through some places, thin.
+fn stroke(points: &[[f32; 2]]) -> Stroke {
+    Stroke { points: points.to_vec(), radius_px: 3.0 }
+}
+
+#[test]
+fn strokes_add_and_take_away_and_nobody_is_asked_then() {
+    let area = |given: &Given| find(given, &settings(&[])).unwrap().object.mask.threshold(0.5).count();
+    let boxed = area(&mug());
+    // The handle is left of the cup's right side.
+    let without = Given { ground: vec![stroke(&[[60.0, 20.0], [460.0, 20.0]])], ..mug() };
+    assert!(area(&without).abs_diff(boxed) < boxed / 20, "what is ground anyway changes little");
+    let body = [[200.0, 220.0], [200.0, 330.0]];
+    let less = Given { ground: vec![stroke(&body)], ..mug() };
+    let found = find(&less, &settings(&[])).unwrap();
+    assert!(found.object.mask.at(200, 280) < 0.5, "a stroke rules");
+    assert!(found.sure >= SURE && found.unseen.is_none());
+    assert!(area(&less) < boxed);
+}
+
+#[test]
+fn strokes_alone_say_which_thing_it_is() {
+    // The bottle and the ball: a stroke on the smaller one is enough.
+    let taken = photograph(&twelve()[5]);
+    let alone = Given::picture(picture(&twelve()[5]));
+    let inside = (0..SIDE * SIDE).filter(|&i| taken.mask[i]).map(|i| [(i % SIDE) as f32, (i / SIDE) as f32]);
+    let places: Vec<[f32; 2]> = inside.collect();
+    let middle = places[places.len() / 2];
+    let given = Given { object: vec![stroke(&[middle])], ..alone };
+    let found = find(&given, &settings(&[])).unwrap();
+    assert!(found.object.mask.at(middle[0] as usize, middle[1] as usize) > 0.5);
+    assert_eq!(found.sure, 1.0);
+}
+
+#[test]
+fn strokes_on_two_things_take_the_one_they_are_on() {
+    let rgba = (0..200 * 100).flat_map(|i| {
+        let (x, y) = ((i % 200) as f32, (i / 200) as f32);
+        let on = |cx: f32, r: f32| (x - cx).hypot(y - 50.0) < r;
+        if on(60.0, 30.0) || on(160.0, 12.0) { [30, 60, 90, 255] } else { [240, 240, 236, 255] }
+    });
+    let two = Given::picture(Picture::new("two.png", 200, 100, rgba.collect()).unwrap());
+    let mask = |given: &Given| find(given, &settings(&[])).unwrap().object.mask;
+    assert!(mask(&two).at(60, 50) > 0.5 && mask(&two).at(160, 50) < 0.5, "the largest");
+    let small = mask(&Given { object: vec![stroke(&[[158.0, 50.0], [162.0, 50.0]])], ..two.clone() });
+    assert!(small.at(160, 50) > 0.5 && small.at(60, 50) < 0.5, "the marked one");
+    // A quick look sees the same, whatever was looked at before.
+    let mut kept = Kept::default();
+    for given in [two.clone(), Given { object: vec![stroke(&[[160.0, 50.0]])], ..two.clone() }, two.clone()] {
+        let seen = look(&given, &settings(&[]), &mut kept).unwrap();
+        let found = find(&given, &settings(&[])).unwrap();
+        assert_eq!((seen.outlined.mask, seen.sure), (found.object.mask, found.sure));
+    }
+}
+
+#[test]
+fn strokes_that_contradict_each_other_and_empty_masks_are_refused_with_a_way_on() {
+    let both = stroke(&[[200.0, 220.0], [200.0, 330.0]]);
+    let given = Given { object: vec![both.clone()], ground: vec![both], ..mug() };
+    let refused = find(&given, &settings(&[])).err().unwrap();
+    assert!(matches!(&refused, Error::Setting { name, .. } if name == "strokes"), "{refused}");
+    let empty = Given { mask: Some(Image::new(64, 64)), ..mug() };
+    let refused = plan(&empty, &settings(&[])).err().unwrap().to_string();
+    assert!(refused.contains("no object") && refused.contains("paint more"), "{refused}");
 }

@@ -229,8 +229,10 @@ impl Region {
                 (0..found.len()).map(|i| if self.inside[i] { stroked[i] } else { Known::Ground }).collect();
             found = small.cut(&known, &start, &lean, 3);
         }
-        let cut = self.at_full_size(&found, &known(full, 1.0));
-        let tidied = tidy(&Mask { width: full.width, height: full.height, data: cut });
+        let stroked = known(full, 1.0);
+        let cut = self.at_full_size(&found, &stroked);
+        let is_marked = |i: usize| stroked[i] == Known::Object;
+        let tidied = tidy(&Mask { width: full.width, height: full.height, data: cut }, is_marked);
         let mut mask = Image::new(self.size[0], self.size[1]);
         for (i, _) in tidied.data.iter().enumerate().filter(|(_, on)| **on) {
             let (x, y) = (i % tidied.width + self.corner[0], i / tidied.width + self.corner[1]);

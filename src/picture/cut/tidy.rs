@@ -6,11 +6,17 @@ use crate::picture::Mask;
 const LEAST_PART: f64 = 0.12;
 const LEAST_HOLE: f64 = 0.002;
 
-/// The cut without crumbs and pinholes.
-pub fn tidy(mask: &Mask) -> Mask {
+/// The cut without crumbs and pinholes; what was `marked` as object is no crumb.
+pub fn tidy(mask: &Mask, marked: impl Fn(usize) -> bool) -> Mask {
     let parts = mask.components();
     let largest = parts.sizes.iter().copied().max().unwrap_or(0) as f64;
-    let kept = |label: u32| label > 0 && parts.sizes[label as usize - 1] as f64 >= LEAST_PART * largest;
+    let mut is_kept: Vec<bool> = parts.sizes.iter().map(|&size| size as f64 >= LEAST_PART * largest).collect();
+    for (i, &label) in parts.labels.iter().enumerate() {
+        if label > 0 && marked(i) {
+            is_kept[label as usize - 1] = true;
+        }
+    }
+    let kept = |label: u32| label > 0 && is_kept[label as usize - 1];
     let mut out = Mask { data: parts.labels.iter().map(|&label| kept(label)).collect(), ..*mask };
     let area = out.count() as f64;
     let holes = out.inverted().components();

@@ -13,7 +13,7 @@ use crate::view::Image;
 use ground::Pixels;
 use parts::filled;
 
-pub use parts::Parts;
+pub use parts::{JOINED_WITHIN, Parts};
 
 /// The object of one picture. All images have one size: the picture's, averaged down to at most [`OBJECT_PX`] a side.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,38 +43,75 @@ pub const OBJECT_PX: usize = 512;
 /// An object that covers less than this share of what its outline encloses is drawn in lines.
 const LINE_SHARE: f64 = 0.4;
 
-/// Finds the object of `picture`. A `mask` given by a person or a model (0 to 1, any size) says what it is; else the
+/// Finds the object of `picture`. A mask `given` by a person or a model (0 to 1, any size) says what it is; else the
 /// alpha channel where it says anything; else whatever differs from the border's colours, which may change smoothly. Of
 /// several it is number `object`, the largest is 1; of a mask always the largest.
 ///
 /// # Errors
 /// [`crate::Error::Picture`] if nothing stands out, or what does covers nearly the whole border; [`crate::Error::Setting`] if there are
 /// fewer objects than that.
-pub fn find_object(picture: &Picture, mask: Option<&Image>, object: usize) -> Result<Object> {
-    let factor = picture.width().max(picture.height()).div_ceil(OBJECT_PX);
-    let small = if factor > 1 { &picture.averaged(factor) } else { picture };
-    let pixels = Pixels::new(small);
-    let mut notes = Vec::new();
-    let (whole, ground) = match mask {
-        Some(mask) => (mask.resized(pixels.width, pixels.height), pixels.ground_under(mask)),
-        None if pixels.is_cut_out => (pixels.alpha_image(), pixels.paper()),
-        None => {
-            let ground = pixels.ground();
-            (pixels.standing_out(&ground, picture.name(), &mut notes)?, ground)
-        }
+pub fn find_object(picture: &Picture, given: Option<&Image>, object: usize) -> Result<Object> {
+    let finder = ObjectFinder::new(picture);
+    let Outlined { mask, parts, notes } = finder.outlined(given, object)?;
+    let pixels = &finder.pixels;
+    let ground = match given {
+        Some(mask) => pixels.ground_under(mask),
+        None if pixels.is_cut_out => pixels.paper(),
+        None => pixels.ground(),
     };
-    let object = if mask.is_some() { 1 } else { object };
-    let (kept, parts) = parts::chosen_part(&whole, object, picture.name(), mask.is_some(), &mut notes)?;
-    let data = whole.data.iter().zip(&kept.data).map(|(&share, &kept)| if kept { share } else { 0.0 }).collect();
-    let mut mask = Image { data, ..whole };
-    if body(&mask) == mask {
-        looks::close_highlights(&pixels, &mut mask);
-    }
     let body = body(&mask);
-    let tone = looks::tone(&pixels, &mask, body != mask, &ground);
-    let saliency = looks::saliency(&pixels, &mask);
-    let highlight = looks::highlight(&pixels, &mask);
+    let tone = looks::tone(pixels, &mask, body != mask, &ground);
+    let saliency = looks::saliency(pixels, &mask);
+    let highlight = looks::highlight(pixels, &mask);
     Ok(Object { mask, body, tone, saliency, highlight, parts, notes })
+}
+
+/// Where an object is, without how it looks: see [`Object`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outlined {
+    /// How much of each pixel is the object, 0 to 1.
+    pub mask: Image,
+    /// All objects in the picture.
+    pub parts: Parts,
+    /// What makes the finding doubtful, in plain words.
+    pub notes: Vec<String>,
+}
+
+/// Finds objects of one picture, again and again.
+pub struct ObjectFinder {
+    name: String,
+    pixels: Pixels,
+}
+
+impl ObjectFinder {
+    /// For one picture.
+    pub fn new(picture: &Picture) -> ObjectFinder {
+        let factor = picture.width().max(picture.height()).div_ceil(OBJECT_PX);
+        let small = if factor > 1 { &picture.averaged(factor) } else { picture };
+        ObjectFinder { name: picture.name().to_owned(), pixels: Pixels::new(small) }
+    }
+
+    /// Where the object is.
+    ///
+    /// # Errors
+    /// As [`find_object`].
+    pub fn outlined(&self, mask: Option<&Image>, object: usize) -> Result<Outlined> {
+        let ObjectFinder { name, pixels } = self;
+        let mut notes = Vec::new();
+        let whole = match mask {
+            Some(mask) => mask.resized(pixels.width, pixels.height),
+            None if pixels.is_cut_out => pixels.alpha_image(),
+            None => pixels.standing_out(&pixels.ground(), name, &mut notes)?,
+        };
+        let object = if mask.is_some() { 1 } else { object };
+        let (kept, parts) = parts::chosen_part(&whole, object, name, mask.is_some(), &mut notes)?;
+        let data = whole.data.iter().zip(&kept.data).map(|(&share, &kept)| if kept { share } else { 0.0 }).collect();
+        let mut mask = Image { data, ..whole };
+        if body(&mask) == mask {
+            looks::close_highlights(pixels, &mut mask);
+        }
+        Ok(Outlined { mask, parts, notes })
+    }
 }
 
 /// The mask, or what its outline encloses where it is drawn in lines.

@@ -29,7 +29,7 @@ impl Parts {
 }
 
 /// Parts nearer to each other than this share of the picture's side are one object.
-const JOINED_WITHIN: f32 = 0.04;
+pub const JOINED_WITHIN: f32 = 0.04;
 /// Parts of at least this share of the largest are objects.
 const WORTH_CHOOSING: f64 = 0.05;
 /// Objects of at least this share of the chosen, left out, are worth a word.

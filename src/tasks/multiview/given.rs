@@ -1,7 +1,7 @@
 //! What a person gives: drawings, with the sides they are seen from.
 
 use crate::Result;
-use crate::picture::cut::SURE;
+use crate::picture::cut::{Hints, SURE};
 use crate::picture::{Because, Ground, Photo, Picture, Polarity, Reading, drawing, find_object, is_photograph};
 use crate::settings::{Read, Settings};
 use crate::start;
@@ -38,7 +38,7 @@ impl Drawing {
         let (mask, sure) = if picture.is_cut_out() {
             (find_object(picture, None, 1)?.mask, 1.0)
         } else {
-            let cut = photo::cut(picture, None)?;
+            let cut = photo::cut(picture, &Hints::default(), &mut None)?;
             (cut.mask, cut.sure)
         };
         let (near, mask) = photo::closer(picture, &mask).unwrap_or_else(|| (picture.clone(), mask));

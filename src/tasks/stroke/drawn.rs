@@ -1,8 +1,11 @@
 //! A photograph's object and the lines that are drawn of it.
 
 use super::given::Given;
+use crate::picture::cut::Cutter;
 use crate::picture::drawing::{Kind, Line};
-use crate::picture::{Ink, Mask, OBJECT_PX, Object, Photo, Picture, find_object, is_photograph};
+use crate::picture::{
+    Ink, JOINED_WITHIN, Mask, OBJECT_PX, Object, ObjectFinder, Outlined, Photo, Picture, find_object, is_photograph,
+};
 use crate::settings::{Read, Settings, Shade, Shading};
 use crate::start::Stroke;
 use crate::tasks::photo;
@@ -10,11 +13,14 @@ use crate::view::{Image, PixelBox};
 use crate::{Error, Result};
 
 /// Whether lines are drawn, as of a photograph: where that is asked for, or it is one and nothing else is.
-fn is_drawn(given: &Given, settings: &Settings) -> bool {
+fn is_drawn(given: &Given, settings: &Settings, kept: &mut Kept) -> bool {
     match settings.read {
         Read::Lines => true,
         // The paper's own way is to fit the picture's greys.
-        Read::Auto => settings.shading == Shading::Lines && is_photograph(&given.picture),
+        Read::Auto => {
+            settings.shading == Shading::Lines
+                && *kept.is_photograph.get_or_insert_with(|| is_photograph(&given.picture))
+        }
         Read::Ink | Read::Tone => false,
     }
 }
@@ -31,29 +37,105 @@ pub struct Found {
     pub unseen: Option<[f64; 4]>,
 }
 
-/// Finds the object: what the mask or the box says, or what stands out.
+/// What is known of a picture from before, when it is looked at again and again. It changes nothing that is found.
+#[derive(Default)]
+pub struct Kept {
+    cutter: Option<Cutter>,
+    finder: Option<ObjectFinder>,
+    is_photograph: Option<bool>,
+}
+
+/// Where an object was seen, without how it looks.
+pub struct Sighted {
+    /// Where it is, with what makes that doubtful.
+    pub outlined: Outlined,
+    /// See [`Found::sure`].
+    pub sure: f32,
+}
+
+/// Finds the object: what the mask, the box or the strokes say, or what stands out.
 ///
 /// # Errors
-/// As [`find_object`], and as [`Cutter::cut`](crate::picture::cut::Cutter::cut) for photographs.
+/// As [`find_object`], and as [`Cutter::cut`] for photographs and where there is a box or a stroke.
 pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
-    let picture = &given.picture;
-    let is_drawn = is_drawn(given, settings);
-    if given.mask.is_some() || !(is_drawn || given.bounds.is_some()) || picture.is_cut_out() {
-        let object = find_object(picture, given.mask.as_ref(), settings.object)?;
+    let kept = &mut Kept::default();
+    let is_drawn = is_drawn(given, settings, kept);
+    let cut = cut(given, settings, kept)?;
+    let mask = cut.as_ref().map_or(given.mask.as_ref(), |cut| Some(&cut.mask));
+    let mut object = find_object(&given.picture, mask, settings.object)?;
+    let Some(Sure { sure, unseen, notes, .. }) = cut else {
         return Ok(Found { object, is_drawn, sure: 1.0, unseen: None });
+    };
+    object.notes.splice(0..0, notes);
+    Ok(Found { object, is_drawn, sure, unseen })
+}
+
+/// Looks for what [`find`] finds, as quickly as a person draws.
+///
+/// # Errors
+/// As [`find`].
+pub fn look(given: &Given, settings: &Settings, kept: &mut Kept) -> Result<Sighted> {
+    let cut = cut(given, settings, kept)?;
+    let finder = kept.finder.get_or_insert_with(|| ObjectFinder::new(&given.picture));
+    let mask = cut.as_ref().map_or(given.mask.as_ref(), |cut| Some(&cut.mask));
+    let mut outlined = finder.outlined(mask, settings.object)?;
+    let Some(Sure { sure, notes, .. }) = cut else { return Ok(Sighted { outlined, sure: 1.0 }) };
+    outlined.notes.splice(0..0, notes);
+    Ok(Sighted { outlined, sure })
+}
+
+/// A cut, with what is known of it.
+struct Sure {
+    mask: Image,
+    sure: f32,
+    unseen: Option<[f64; 4]>,
+    notes: Vec<String>,
+}
+
+/// The object cut out, where it is to be.
+fn cut(given: &Given, settings: &Settings, kept: &mut Kept) -> Result<Option<Sure>> {
+    let picture = &given.picture;
+    let is_pointed_at = given.bounds.is_some() || given.has_strokes();
+    if given.mask.is_some() || !is_pointed_at && (picture.is_cut_out() || !is_drawn(given, settings, kept)) {
+        return Ok(None);
     }
-    let mut cut = photo::cut(picture, given.bounds)?;
+    let mut cut = photo::cut(picture, &given.hints(), &mut kept.cutter)?;
     let is_missed = |bounds: &[f64; 4]| cut.sure < LEAST_SURE && !spans(&cut.mask, *bounds, picture);
-    let unseen = given.bounds.filter(|bounds| is_drawn && is_missed(bounds));
+    let unseen = given.bounds.filter(|bounds| is_missed(bounds) && is_drawn(given, settings, kept));
     if let Some(bounds) = unseen {
         let name = picture.name();
         cut.mask = filling(bounds, picture.width(), picture.height(), &cut.mask);
         cut.notes =
             vec![format!("{name}: cannot be told from its ground, so all lines in the box are drawn; a mask helps")];
     }
-    let mut object = find_object(picture, Some(&cut.mask), 1)?;
-    object.notes.splice(0..0, cut.notes);
-    Ok(Found { object, is_drawn, sure: cut.sure, unseen })
+    if !given.object.is_empty() {
+        keep_marked(&mut cut.mask, given);
+    }
+    Ok(Some(Sure { mask: cut.mask, sure: cut.sure, unseen, notes: cut.notes }))
+}
+
+/// Takes away the parts of a cut without a stroke on them, where the largest, which would be taken, is one of these.
+fn keep_marked(mask: &mut Image, Given { picture, object, .. }: &Given) {
+    let solid = mask.threshold(0.5);
+    if solid.components().sizes.len() < 2 {
+        return;
+    }
+    let parts = solid.dilated(0.5 * JOINED_WITHIN * mask.width.max(mask.height) as f32).components();
+    let scale = [mask.width as f32 / picture.width() as f32, mask.height as f32 / picture.height() as f32];
+    let label = |[x, y]: [f32; 2]| {
+        let [column, row] = [(x * scale[0]).floor(), (y * scale[1]).floor()];
+        let inside = column >= 0.0 && row >= 0.0 && column < mask.width as f32 && row < mask.height as f32;
+        if inside { parts.labels[row as usize * mask.width + column as usize] } else { 0 }
+    };
+    let marked: Vec<u32> =
+        object.iter().flat_map(|stroke| &stroke.points).map(|&point| label(point)).filter(|&label| label > 0).collect();
+    let mut sizes = vec![0usize; parts.sizes.len()];
+    solid.data.iter().zip(&parts.labels).filter(|(on, _)| **on).for_each(|(_, &label)| sizes[label as usize - 1] += 1);
+    let largest = (1..).zip(&sizes).max_by_key(|(_, size)| **size).map_or(0, |(label, _)| label);
+    if !marked.is_empty() && !marked.contains(&largest) {
+        let is_gone = |label: u32| label > 0 && !marked.contains(&label);
+        mask.data.iter_mut().zip(&parts.labels).filter(|(_, label)| is_gone(**label)).for_each(|(on, _)| *on = 0.0);
+    }
 }
 
 /// A cut inside a box that is less sure than this, and in one piece spans less than this share of its sides, is not what was

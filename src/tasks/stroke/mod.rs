@@ -18,6 +18,6 @@ mod plan;
 pub(super) mod settings;
 mod sides;
 
-pub use drawn::{Found, find};
+pub use drawn::{Found, Kept, Sighted, find, look};
 pub use given::Given;
 pub use plan::{Plan, plan};

@@ -47,7 +47,7 @@ const HATCHES: [f64; 2] = [4.0, 96.0];
 ///
 /// # Errors
 /// As [`find_object`](crate::picture::find_object) for each picture, and as [`Cutter::cut`](crate::picture::cut::Cutter::cut)
-/// for one with a box; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
+/// for one with a box or strokes; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
 /// sides contradict each other.
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     Task::Stroke.check(settings)?;
