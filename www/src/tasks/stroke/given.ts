@@ -3,7 +3,7 @@
 import type { Ink } from "../../engine/protocol";
 import { stroke, thinned } from "../../state/picture/ink";
 import type { KeptPicture } from "../../state/picture/picture";
-import type { FoundObject } from "./protocol";
+import type { FoundObject, PixelHints } from "./protocol";
 
 /** What a person gives for one picture: the picture, and what they said of its mask. */
 export interface Subject {
@@ -14,6 +14,8 @@ export interface Subject {
   readonly strokes: readonly MaskStroke[];
   /** A box round the object, where the person dragged one. */
   readonly box?: Box | null;
+  /** Strokes by which the app finds it: on the object (they add), and on what is not. */
+  readonly marks?: readonly MaskStroke[];
   /** What the app found, for showing: null while it is sought or when nothing was found. */
   readonly found: FoundObject | null;
   /** How near each pixel is, light is near: a picture of the same size. */
@@ -41,9 +43,21 @@ interface Size {
   readonly height: number;
 }
 
-/** The same in a picture's pixels. */
-export function pixelBox([left, top, right, bottom]: Box, { width, height }: Size): readonly [number, number, number, number] {
-  return [left * width, top * height, right * width, bottom * height];
+/** Whether a person said where the object is, so that it is not guessed. */
+export function isPointedAt({ box, marks }: Pick<Subject, "box" | "marks">): boolean {
+  return !!box || !!marks?.length;
+}
+
+/** The box and the marks in the picture's pixels. */
+export function hintsOf({ picture: { width, height }, box, marks = [] }: Subject): PixelHints {
+  return {
+    box: box ? [box[0] * width, box[1] * height, box[2] * width, box[3] * height] : null,
+    marks: marks.map(({ adds, points, width: share }) => ({
+      onObject: adds,
+      points: Float32Array.from(points, (value, i) => value * (i % 2 ? height : width)),
+      radius: 0.5 * share * Math.max(width, height),
+    })),
+  };
 }
 
 /** Longest side of a mask, px. */

@@ -22,17 +22,37 @@ export interface StrokeWork {
   readonly picture: Picture;
   /** What of it is the object, of any size; null lets the app find it. */
   readonly mask: Ink | null;
-  /** A box round the object, px; counts where there is no mask. */
-  readonly box: PixelBox | null;
+  /** What a person points at; counts where there is no mask. */
+  readonly hints: PixelHints;
   /** How near each pixel is, light is near. */
   readonly depth: Picture | null;
 }
 
+/** What a person points at, px of the picture. */
+export interface PixelHints {
+  /** A box round the object. */
+  readonly box: PixelBox | null;
+  readonly marks: readonly PixelMark[];
+}
+
 export type PixelBox = readonly [left: number, top: number, right: number, bottom: number];
+
+/** A stroke on the object or on its ground. */
+export interface PixelMark {
+  readonly onObject: boolean;
+  /** x, y, x, y, … */
+  readonly points: Float32Array<ArrayBuffer>;
+  /** Half its width. */
+  readonly radius: number;
+}
 
 declare module "../../engine/protocol" {
   interface Calls {
-    /** The object in a picture: what the box is round, else the `object`-th of several, the largest is 1. Refused with a sentence if there is none. */
-    find: { arguments: { picture: Picture; object: number; box: PixelBox | null }; answer: FoundObject };
+    /**
+     * The object in a picture: what the hints point at, else the `object`-th of several, the largest is 1. Refused with a
+     * sentence if there is none. The worker keeps the last picture, with what it learnt of it: without a picture the answer
+     * is null where the one of this `key` is not there.
+     */
+    find: { arguments: { key: number; picture: Picture | null; object: number; hints: PixelHints }; answer: FoundObject | null };
   }
 }

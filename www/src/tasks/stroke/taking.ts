@@ -1,15 +1,27 @@
 /** What people do with the one picture: give it, say what of it is meant, and how deep it is. */
 
 import { Problem } from "../../engine/client";
+import type { Picture } from "../../engine/protocol";
 import { explain } from "../../state/common/words";
 import type { Bench } from "../../state/contract/bench";
 import { givenFor, QUIET, type PadState, type TaskState } from "../../state/contract/state";
 import type { Files, Taker } from "../../state/contract/task";
 import { withGiven } from "../../state/keeping/document";
 import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
-import { pixelBox, type Box, type MaskStroke, type Subject } from "./given";
+import { hintsOf, isPointedAt, type MaskStroke, type Subject } from "./given";
+import type { FoundObject } from "./protocol";
+
+/** A change of where a person points. */
+export type Pointing = (subject: Subject) => Pick<Subject, "box" | "marks">;
+
+/** What the worker knows pictures by. */
+const keys = new WeakMap<Blob, number>();
+let nextKey = 1;
 
 export class SubjectTaker implements Taker<Subject | null> {
+  /** Strokes are drawn faster than they are cut out: each waits for the one before. */
+  private pointed: Promise<void> = Promise.resolve();
+
   constructor(
     private readonly bench: Bench,
     private readonly task: TaskState<Subject | null, PadState>,
@@ -26,7 +38,7 @@ export class SubjectTaker implements Taker<Subject | null> {
       const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth: null };
       const take = (found: Subject["found"]): void => this.edit(`Take the picture ${name}`, { ...subject, found });
       try {
-        take(await this.bench.engine.call("find", { picture: { name, ...pixels }, object: 1, box: null }));
+        take(await this.seek(subject));
       } catch (error) {
         // Where the app finds nothing, the person may paint it.
         if (error instanceof Problem) take(null);
@@ -41,20 +53,30 @@ export class SubjectTaker implements Taker<Subject | null> {
     const { subject } = this;
     if (!subject || object === subject.object) return;
     await this.attempt(subject.picture.name, async () => {
-      const found = await this.bench.engine.call("find", { picture: await pixelsOf(subject.picture), object, box: null });
-      if (this.subject === subject) this.edit("Choose another object", { ...subject, object, box: null, found });
+      const chosen: Subject = { ...subject, object, box: null, marks: [] };
+      const found = await this.seek(chosen);
+      if (this.subject === subject) this.edit("Choose another object", { ...chosen, found });
     });
   }
 
-  /** A box round what is meant. */
-  async takeBox(box: Box): Promise<void> {
+  /** Another box or other marks, and what they point at; `quick` where people go on drawing meanwhile. */
+  point(label: string, change: Pointing, quick = false): Promise<void> {
+    return (this.pointed = this.pointed.then(async () => {
+      const { subject } = this;
+      if (!subject) return;
+      const work = async (): Promise<void> => {
+        const next = pointedAt(subject, change);
+        const found = await this.seek(next);
+        if (this.subject === subject) this.edit(label, { ...next, found });
+      };
+      await this.attempt(subject.picture.name, work, !quick);
+    }));
+  }
+
+  /** What a change would find, for showing while a stroke is drawn; null if nothing. */
+  async foresee(change: Pointing): Promise<FoundObject | null> {
     const { subject } = this;
-    if (!subject) return;
-    await this.attempt(subject.picture.name, async () => {
-      const { picture } = subject;
-      const found = await this.bench.engine.call("find", { picture: await pixelsOf(picture), object: 1, box: pixelBox(box, picture) });
-      if (this.subject === subject) this.edit("Drag a box round the object", { ...subject, object: 1, box, found });
-    });
+    return subject && this.seek(pointedAt(subject, change)).catch(() => null);
   }
 
   /** Brush strokes over what was found. */
@@ -94,13 +116,12 @@ export class SubjectTaker implements Taker<Subject | null> {
   }
 
   private async findIn(subject: Subject): Promise<void> {
-    const { engine, project, store } = this.bench;
+    const { project, store } = this.bench;
     const { name } = this.task;
     // Nobody is to hear that it was not found while it is sought.
     this.bench.pass(this.task, { busy: true });
-    const picture = await pixelsOf(subject.picture);
     // Where there is no core, that is said elsewhere.
-    const found = await engine.call("find", { picture, object: 1, box: null }).catch(() => null);
+    const found = await this.seek(subject).catch(() => null);
     // Whoever gave another picture meanwhile is waiting for that one.
     if (this.subject !== subject) return;
     this.bench.pass(this.task, { busy: false });
@@ -108,6 +129,14 @@ export class SubjectTaker implements Taker<Subject | null> {
     const shown = { ...subject, found };
     project.amend((doc) => (doc.given[name] === subject ? { ...doc, ...withGiven(doc, name, shown) } : doc));
     store.set({ examples: { ...store.get().examples, [name]: shown } });
+  }
+
+  private async seek(subject: Subject): Promise<FoundObject> {
+    const { picture, object } = subject;
+    const key = keys.get(picture.rgba) ?? nextKey++;
+    keys.set(picture.rgba, key);
+    const ask = (pixels: Picture | null) => this.bench.engine.call("find", { key, picture: pixels, object, hints: hintsOf(subject) });
+    return ((await ask(null)) ?? (await ask(await pixelsOf(picture))))!;
   }
 
   private edit(label: string, subject: Subject | null): void {
@@ -119,8 +148,8 @@ export class SubjectTaker implements Taker<Subject | null> {
   }
 
   /** `work` may end with a note. */
-  private async attempt(name: string, work: () => Promise<string | void>): Promise<void> {
-    this.show({ ...QUIET, busy: true });
+  private async attempt(name: string, work: () => Promise<string | void>, busy = true): Promise<void> {
+    this.show({ ...QUIET, busy });
     try {
       this.show({ ...QUIET, note: (await work()) ?? "" });
     } catch (error) {
@@ -131,4 +160,10 @@ export class SubjectTaker implements Taker<Subject | null> {
   private show(pad: PadState): void {
     this.bench.pass(this.task, pad);
   }
+}
+
+function pointedAt(subject: Subject, change: Pointing): Subject {
+  const next = { ...subject, ...change(subject) };
+  // Of what is pointed at there is one.
+  return isPointedAt(next) ? { ...next, object: 1 } : next;
 }

@@ -3,7 +3,7 @@
 import { QUIET, type PadState } from "../../state/contract/state";
 import { pixelsOf } from "../../state/picture/picture";
 import type { PageTask } from "../../ui/shared/page-task";
-import { maskOf, pixelBox, type Subject } from "./given";
+import { hintsOf, isPointedAt, maskOf, type Subject } from "./given";
 import type { StrokeWork } from "./protocol";
 import { SubjectTaker } from "./taking";
 import { verdict } from "./verdict";
@@ -51,10 +51,10 @@ export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
   suffices: (subject) => subject !== null,
   labels: (subject) => [subject?.picture.name ?? ""],
   async work(subject): Promise<StrokeWork> {
-    const { picture, depth, box, strokes } = subject!;
-    // What a box is round the core draws as surely as it sees it; a hand knows better.
-    const mask = box && strokes.length === 0 ? null : maskOf(subject!);
-    return { picture: await pixelsOf(picture), mask, box: box ? pixelBox(box, picture) : null, depth: depth && (await pixelsOf(depth)) };
+    const { picture, depth, strokes } = subject!;
+    // What is pointed at the core draws as surely as it sees it; a hand knows better.
+    const mask = isPointedAt(subject!) && strokes.length === 0 ? null : maskOf(subject!);
+    return { picture: await pixelsOf(picture), mask, hints: hintsOf(subject!), depth: depth && (await pixelsOf(depth)) };
   },
   example: async () => (await import("./example/example")).example(),
   verdict,

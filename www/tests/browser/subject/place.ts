@@ -5,6 +5,7 @@ import type { Pixels } from "../../../src/engine/protocol";
 import type { FoundObject } from "../../../src/tasks/stroke/protocol";
 import { readPicture } from "../../../src/state/picture/picture";
 import type { Box, MaskStroke, Subject } from "../../../src/tasks/stroke/given";
+import { hintsWithBox, hintsWithMark } from "../../../src/tasks/stroke/hints";
 import "../../../src/styles.css";
 import { startTheme } from "../../../src/ui/shared/theme";
 import "../../../src/tasks/stroke/parts/mask-editor";
@@ -103,7 +104,9 @@ const acts: Readonly<Record<string, (detail: never) => unknown>> = {
   "clear-depth": () => edit({ ...place.subject!, depth: null }),
   "clear-subject": () => edit(null),
   "choose-object": ({ object }: { object: number }) => seek(object),
-  "give-box": ({ box }: { box: Box }) => edit({ ...place.subject!, box }),
+  "give-box": ({ box }: { box: Box | null }) => edit({ ...place.subject!, ...hintsWithBox(place.subject!, box) }),
+  mark: ({ mark }: { mark: MaskStroke }) => edit({ ...place.subject!, ...hintsWithMark(place.subject!, mark) }),
+  "clear-marks": () => edit({ ...place.subject!, marks: [] }),
   paint: ({ strokes }: { strokes: readonly MaskStroke[] }) => edit({ ...place.subject!, strokes }),
   "open-brush": () => (editing = true),
   "close-editor": () => (editing = false),

@@ -3,19 +3,26 @@
 import { bytesOf, ink, loaded, own, pulled, taken } from "../../../engine/core";
 import type { TaskEngine } from "../../../engine/task-engine";
 import * as wasm from "../../../engine/wasm/wire4d";
-import type { FoundObject, StrokeWork } from "../protocol";
+import type { FoundObject, PixelHints, StrokeWork } from "../protocol";
+
+/** What was looked at last: whoever draws on a picture asks again at every stroke. */
+let last: { readonly key: number; readonly subject: wasm.Subject } | null = null;
 
 export const engine: TaskEngine<StrokeWork> = {
   task: "stroke",
   handlers: {
-    find: async ({ picture, object, box }) => {
+    find: async ({ key, picture, object, hints }) => {
       await loaded();
-      const subject = subjectOf({ picture, mask: null, box, depth: null });
-      try {
-        return find(subject, object);
-      } finally {
-        subject.free();
+      if (last?.key !== key) {
+        if (!picture) return null;
+        last?.subject.free();
+        last = null;
+        last = { key, subject: new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture)) };
       }
+      const { subject } = last;
+      subject.clear_hints();
+      point(subject, hints);
+      return find(subject, object);
     },
   },
   async start(work, settings, from, { tell, note }) {
@@ -38,11 +45,16 @@ function find(subject: wasm.Subject, object: number): FoundObject {
   });
 }
 
-function subjectOf({ picture, mask, box, depth }: StrokeWork): wasm.Subject {
+function point(subject: wasm.Subject, { box, marks }: PixelHints): void {
+  if (box) subject.set_bounds(...(box as [number, number, number, number]));
+  for (const { onObject, points, radius } of marks) subject.add_stroke(onObject, points, radius);
+}
+
+function subjectOf({ picture, mask, hints, depth }: StrokeWork): wasm.Subject {
   const subject = new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture));
   try {
     if (mask) subject.set_mask(mask.width, mask.height, mask.ink);
-    if (box) subject.set_bounds(...(box as [number, number, number, number]));
+    point(subject, hints);
     if (depth) subject.set_depth(depth.name, depth.width, depth.height, bytesOf(depth), depth.measured ?? false);
   } catch (error) {
     subject.free();

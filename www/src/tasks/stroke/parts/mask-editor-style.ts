@@ -24,6 +24,24 @@ export const maskEditorStyle = css`
   .side {
     grid-template-rows: minmax(0, 1fr);
   }
+  .of-tool {
+    display: grid;
+    gap: 12px;
+  }
+  .sides {
+    display: grid;
+    grid-template-columns: repeat(4, minmax(0, 1fr));
+    gap: 8px;
+  }
+  .sides label {
+    display: grid;
+    gap: 2px;
+  }
+  .sides input {
+    width: 100%;
+    padding-inline: 6px;
+    color: var(--ink);
+  }
   .field label {
     font-size: 13px;
     color: var(--quiet);

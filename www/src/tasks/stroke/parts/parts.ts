@@ -5,6 +5,8 @@ import { redo, undo } from "../../../state/actions/actions";
 import { givenFor, passingOf } from "../../../state/contract/state";
 import type { Page, TaskParts } from "../../../ui/shared/page-task";
 import { stroke } from "../task";
+import type { MaskStroke } from "../given";
+import { hintsWithBox, hintsWithMark } from "../hints";
 import "./stroke-choices";
 import type { SubjectEvents } from "./subject-events";
 import "./subject-pad";
@@ -14,8 +16,18 @@ type Told<Kind extends keyof SubjectEvents> = CustomEvent<SubjectEvents[Kind]>;
 
 const BRUSH = "brush";
 
+/** What both the pad and the editor tell of where a person points. */
+function point({ studio }: Page, event: Told<"give-box"> | Told<"mark"> | Told<"clear-marks">): void {
+  const taker = studio.taker(stroke);
+  const { detail } = event;
+  if (!detail) void taker.point("Clear the marks", (subject) => ({ ...subject, marks: [] }));
+  else if ("box" in detail) void taker.point(detail.box ? "Put a box round the object" : "Remove the box", (subject) => hintsWithBox(subject, detail.box));
+  else void taker.point(detail.mark.adds ? "Mark the object" : "Mark what is not the object", (subject) => hintsWithMark(subject, detail.mark), true);
+}
+
 export const parts: TaskParts = {
-  pads({ studio, state, edit }) {
+  pads(page) {
+    const { studio, state, edit } = page;
     const taker = studio.taker(stroke);
     const { busy, problem, note } = passingOf(state, stroke);
     return html`<subject-pad
@@ -26,7 +38,8 @@ export const parts: TaskParts = {
       .locked=${state.phase !== "idle"}
       @give=${({ detail }: Told<"give">) => void taker.give(detail.file, detail.name)}
       @choose-object=${({ detail }: Told<"choose-object">) => void taker.chooseObject(detail.object)}
-      @give-box=${({ detail }: Told<"give-box">) => void taker.takeBox(detail.box)}
+      @give-box=${(event: Told<"give-box">) => point(page, event)}
+      @clear-marks=${(event: Told<"clear-marks">) => point(page, event)}
       @clear-subject=${() => taker.clear()}
       @open-brush=${() => open(edit)}
       @give-depth=${({ detail }: Told<"give-depth">) => void taker.giveDepth(detail.file, detail.name)}
@@ -34,15 +47,23 @@ export const parts: TaskParts = {
     ></subject-pad>`;
   },
   choices: ({ studio, state }) => html`<stroke-choices .studio=${studio} .state=${state}></stroke-choices>`,
-  editor({ studio, state, editing, edit }) {
+  editor(page) {
+    const { studio, state, editing, edit } = page;
     const subject = givenFor(state, stroke);
     if (editing !== BRUSH || !subject) return null;
+    const passing = passingOf(state, stroke);
+    const foresee = (mark: MaskStroke) => studio.taker(stroke).foresee((subject) => hintsWithMark(subject, mark));
     return html`<mask-editor
       .subject=${subject}
-      .busy=${passingOf(state, stroke).busy}
+      .busy=${passing.busy}
+      .problem=${passing.problem}
+      .foresee=${foresee}
       .locked=${state.phase !== "idle"}
       .undo=${state.undo}
       .redo=${state.redo}
+      @give-box=${(event: Told<"give-box">) => point(page, event)}
+      @mark=${(event: Told<"mark">) => point(page, event)}
+      @clear-marks=${(event: Told<"clear-marks">) => point(page, event)}
       @paint=${({ detail }: Told<"paint">) => studio.taker(stroke).paint(detail.strokes)}
       @undo=${() => studio.act(undo)}
       @redo=${() => studio.act(redo)}

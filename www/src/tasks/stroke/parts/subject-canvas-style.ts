@@ -38,11 +38,14 @@ export const subjectCanvasStyle = css`
   }
   .box {
     position: absolute;
-    border: 2px dashed var(--copper);
+    border: 1.5px dashed var(--ink);
     outline: 1.5px solid var(--raised);
     pointer-events: none;
   }
-  .paintable {
+  .box.under-way {
+    border: 2px dashed var(--copper);
+  }
+  .workable {
     cursor: none;
     touch-action: none;
   }
@@ -62,8 +65,15 @@ export const subjectCanvasStyle = css`
     border-style: dashed;
     border-color: var(--ink);
   }
+  .ring.corner {
+    border: 0;
+    outline: 0;
+    box-shadow: none;
+    width: 0;
+    min-width: 0;
+  }
   .ring::before,
-  .ring.adds::after {
+  .ring:is(.adds, .corner)::after {
     content: "";
     position: absolute;
     inset: 0;
@@ -73,10 +83,15 @@ export const subjectCanvasStyle = css`
     background: var(--ink);
     box-shadow: 0 0 0 1px var(--raised);
   }
-  .ring.adds::after {
+  .ring.corner::before,
+  .ring.corner::after {
+    inset: -1px -11px;
+    width: 22px;
+  }
+  .ring:is(.adds, .corner)::after {
     rotate: 90deg;
   }
-  .paintable:is(:hover, :focus-visible) .ring {
+  .workable:is(:hover, :focus-visible) .ring {
     opacity: 1;
   }
   @media (forced-colors: active) {

@@ -1,4 +1,4 @@
-/** A picture with its object in full colour and all else veiled; to be tapped, or painted on with mouse, pen, finger or keys. */
+/** A picture with its object in full colour and all else veiled; to be tapped, or pointed at and painted on with mouse, pen, finger or keys. */
 
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
@@ -11,6 +11,9 @@ import { Part } from "../../../view/part";
 import { controls } from "../../../ui/shared/shared";
 import { outline, SOFT_LEVEL, softened } from "./outline";
 import { subjectCanvasStyle } from "./subject-canvas-style";
+
+/** What a hand does on it: choose a thing by a tap or a box, drag a box, mark what is meant, paint the mask. */
+export type Tool = { readonly kind: "choose" | "box" } | { readonly kind: "mark" | "paint"; readonly brush: Brush };
 
 /** A spot in the picture, in shares of its width and height. */
 export type Spot = readonly [x: number, y: number];
@@ -27,6 +30,8 @@ const VEIL = 0.82;
 const THIN_VEIL = 0.5;
 /** Between two lines of the ground's hatching, CSS px. */
 const HATCH_PX = 7;
+/** Marks are seen in a small picture, too, CSS px. */
+const LEAST_MARK_PX = 5;
 const ARROWS: Readonly<Record<string, Spot>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -37,12 +42,16 @@ const ARROWS: Readonly<Record<string, Spot>> = {
 /** A drag shorter than this is a tap, CSS px. */
 const LEAST_DRAG_PX = 10;
 
-/** Fires `tap` (a Spot) or `box` (a Box that was dragged) where there is no brush, and `stroke` (a MaskStroke) where a stroke was finished. */
+/** Fires `tap` (a Spot), `box` (a Box that was dragged) and `stroke` (a MaskStroke, when it is finished), as its tool is. */
 @customElement("subject-canvas")
 export class SubjectCanvas extends Part {
   @property({ attribute: false }) subject: Subject | null = null;
-  /** Without a brush there is nothing to paint with. */
-  @property({ attribute: false }) brush: Brush | null = null;
+  /** Without a tool nothing happens. */
+  @property({ attribute: false }) tool: Tool | null = null;
+  /** What a mark would have found that is still being drawn. */
+  @property({ attribute: false }) foresee: ((mark: MaskStroke) => Promise<FoundObject | null>) | null = null;
+  /** What went wrong with the last mark, or empty. */
+  @property() problem = "";
   @property() name = "Picture";
   /** Whether a finger's drag makes a box, too; else it scrolls. */
   @property({ type: Boolean }) asks = false;
@@ -53,10 +62,16 @@ export class SubjectCanvas extends Part {
   @query(".frame") private frame!: HTMLElement;
   @query("#picture") private picture!: HTMLCanvasElement;
   @query("#over") private over!: HTMLCanvasElement;
+  @query("#marks") private marks!: HTMLCanvasElement;
   @query(".ring") private ring!: HTMLElement | null;
   @query(".box") private dragBox!: HTMLElement | null;
   /** The mask with the stroke under way, or with one that is not in the subject yet. */
   private live: Ink | null = null;
+  /** What was found with the mark under way, or with those that are not in the subject yet. */
+  private foreseen: FoundObject | null = null;
+  private foreseeing = false;
+  /** Marks that are not in the subject yet. */
+  private pending: readonly MaskStroke[] = [];
   /** px of the mask. */
   private points: number[] = [];
   private pointer: number | null = null;
@@ -85,30 +100,32 @@ export class SubjectCanvas extends Part {
   }
 
   override render() {
-    const { subject, brush } = this;
-    const paints = subject && brush;
+    const { subject, tool, brush } = this;
+    const works = subject && tool && tool.kind !== "choose";
+    const keys = `Arrow keys move the ${brush ? "brush" : "corner"}, with Shift in larger steps. Space starts and ends a ${brush ? "stroke" : "box"}. Escape takes it back.`;
     return html`<div
         part="frame"
-        class="frame ${paints ? "paintable" : "tappable"} ${this.asks ? "asks" : ""}"
+        class="frame ${works ? "workable" : tool ? "tappable" : ""} ${this.asks ? "asks" : ""}"
         ?hidden=${!subject}
-        role=${paints ? "application" : "img"}
+        role=${works ? "application" : "img"}
         aria-label=${this.name}
-        aria-description=${paints ? "Arrow keys move the brush, with Shift in larger steps. Space starts and ends a stroke. Escape takes it back." : nothing}
-        tabindex=${paints ? 0 : nothing}
-        @click=${paints ? nothing : this.tapped}
+        aria-description=${works ? keys : nothing}
+        tabindex=${works ? 0 : nothing}
+        @click=${works ? nothing : this.tapped}
         @pointerdown=${this.down}
         @pointermove=${this.move}
         @pointerup=${this.up}
         @pointercancel=${this.cancel}
-        @keydown=${paints ? this.key : nothing}
+        @keydown=${works ? this.key : nothing}
         @blur=${this.finish}
       >
         <canvas id="picture"></canvas>
         <canvas id="over"></canvas>
-        ${this.dragged ? html`<div class="box"></div>` : nothing}
-        ${paints ? html`<div class="ring ${brush.adds ? "adds" : "takes"}"></div>` : nothing}
+        <canvas id="marks"></canvas>
+        ${this.dragged || subject?.box ? html`<div class="box ${this.dragged ? "under-way" : ""}"></div>` : nothing}
+        ${works ? html`<div class="ring ${brush ? (brush.adds ? "adds" : "takes") : "corner"}"></div>` : nothing}
       </div>
-      ${paints ? html`<p class="unseen" role="status">${this.told}</p>` : nothing}`;
+      ${works ? html`<p class="unseen" role="status">${this.told}</p>` : nothing}`;
   }
 
   protected override firstUpdated(): void {
@@ -116,15 +133,23 @@ export class SubjectCanvas extends Part {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    const { subject, brush } = this;
-    if (changed.has("brush") && !brush) this.cancel();
+    const { subject, tool } = this;
+    if (changed.has("tool") && changed.get("tool")?.kind !== tool?.kind) this.cancel();
     if (changed.has("subject")) {
       // What was painted by hand is in the subject now, unless the hand paints on.
-      if (this.points.length === 0) this.live = null;
+      if (this.points.length === 0) this.live = this.foreseen = null;
+      // What is not in it was given up with it.
+      const known = this.pending.findLastIndex((mark) => subject?.marks?.includes(mark));
+      this.pending = known < 0 ? [] : this.pending.slice(known + 1);
       if (subject && subject.picture !== this.shown) void this.show(subject.picture);
       this.repaint();
     }
-    if (subject && brush) this.placeRing();
+    if (changed.has("problem") && this.problem) {
+      this.pending = [];
+      this.foreseen = null;
+      this.repaint();
+    }
+    this.placeRing();
     this.placeBox();
   }
 
@@ -148,10 +173,28 @@ export class SubjectCanvas extends Part {
       const scale = devicePixelRatio;
       over.width = Math.round(frame.clientWidth * scale);
       over.height = Math.round(frame.clientHeight * scale);
-      const mask = this.live ?? (subject && maskOf(subject));
-      if (mask && over.width && over.height) paintOver(over, scale, mask, subject!, getComputedStyle(this), !this.brush);
+      const seen = subject && (this.foreseen ? { ...subject, found: this.foreseen } : subject);
+      const mask = this.live ?? (seen && maskOf(seen));
+      if (mask && over.width && over.height) paintOver(over, scale, mask, seen!, getComputedStyle(this), this.tool?.kind === "choose");
+      this.repaintMarks();
     });
   };
+
+  /** The marks alone: they follow the hand. */
+  private repaintMarks(): void {
+    const { marks, frame, subject, tool, points } = this;
+    const scale = devicePixelRatio;
+    marks.width = Math.round(frame.clientWidth * scale);
+    marks.height = Math.round(frame.clientHeight * scale);
+    if (!subject) return;
+    const { width, height } = maskSize(subject);
+    const under = points.length > 0 && tool?.kind === "mark" ? [{ ...tool.brush, points: points.map((px, i) => px / (i % 2 ? height : width)) }] : [];
+    paintMarks(marks, [...(subject.marks ?? []), ...this.pending, ...under], getComputedStyle(this));
+  }
+
+  private get brush(): Brush | null {
+    return this.tool && "brush" in this.tool ? this.tool.brush : null;
+  }
 
   private spot({ clientX, clientY }: MouseEvent): Spot {
     const { left, top, width, height } = this.frame.getBoundingClientRect();
@@ -169,7 +212,8 @@ export class SubjectCanvas extends Part {
   }
 
   private placeBox(): void {
-    const { box, dragBox } = this;
+    const { dragBox } = this;
+    const box = this.dragged ? this.box : this.subject?.box;
     if (!dragBox) return;
     dragBox.hidden = !box;
     if (!box) return;
@@ -180,17 +224,20 @@ export class SubjectCanvas extends Part {
   private tapped(event: MouseEvent): void {
     // A drag ends with a click.
     if (this.justDragged) this.justDragged = false;
-    else if (this.subject) this.dispatchEvent(new CustomEvent<Spot>("tap", { detail: this.spot(event) }));
+    else if (this.subject && this.tool) this.dispatchEvent(new CustomEvent<Spot>("tap", { detail: this.spot(event) }));
   }
 
   private down(event: PointerEvent): void {
     this.justDragged = false;
-    if (!this.brush && this.subject && event.button === 0 && event.isPrimary && (this.asks || event.pointerType !== "touch")) {
+    const { subject, tool } = this;
+    if (!subject || !tool || event.button !== 0 || !event.isPrimary) return;
+    if (tool.kind === "box" || (tool.kind === "choose" && (this.asks || event.pointerType !== "touch"))) {
       this.frame.setPointerCapture(event.pointerId);
       const spot = this.spot(event);
+      this.painting = false;
       this.dragged = { from: spot, to: spot };
     }
-    if (!this.brush || !this.subject || event.button !== 0 || !event.isPrimary || this.pointer !== null) return;
+    if (!this.brush || this.pointer !== null) return;
     this.finish();
     this.frame.setPointerCapture(event.pointerId);
     this.pointer = event.pointerId;
@@ -198,23 +245,26 @@ export class SubjectCanvas extends Part {
   }
 
   private move(event: PointerEvent): void {
-    if (this.dragged) this.dragged = { ...this.dragged, to: this.spot(event) };
-    if (!this.brush) return;
+    if (this.dragged && !this.painting) this.dragged = { ...this.dragged, to: this.spot(event) };
+    if (!this.tool || this.tool.kind === "choose" || this.painting) return;
     const paints = event.pointerId === this.pointer;
     const parts = paints ? (event.getCoalescedEvents?.() ?? []) : [];
     for (const part of parts.length > 0 ? parts : [event]) this.goTo(this.spot(part), paints);
   }
 
   private up(event: PointerEvent): void {
-    const { box } = this;
-    this.dragged = null;
-    if (box) {
-      this.justDragged = true;
-      this.dispatchEvent(new CustomEvent<Box>("box", { detail: box }));
-    }
+    if (!this.painting && this.dragged) this.justDragged = this.endBox();
     if (event.pointerId !== this.pointer) return;
     this.goTo(this.spot(event), true);
     this.finish();
+  }
+
+  /** Whether there was one. */
+  private endBox(): boolean {
+    const { box } = this;
+    this.dragged = null;
+    if (box) this.dispatchEvent(new CustomEvent<Box>("box", { detail: box }));
+    return !!box;
   }
 
   private key(event: KeyboardEvent): void {
@@ -224,9 +274,16 @@ export class SubjectCanvas extends Part {
       const step = (event.shiftKey ? BIG_STEP : STEP) * Math.max(width, height);
       const [x, y] = [this.at[0] + (step * arrow[0]) / width, this.at[1] + (step * arrow[1]) / height];
       this.goTo([Math.min(1, Math.max(0, x)), Math.min(1, Math.max(0, y))], this.painting);
+      if (this.painting && this.dragged) this.dragged = { ...this.dragged, to: this.at };
     } else if (event.key === " " && !event.repeat) {
       const where = `${Math.round(100 * this.at[0])}% across, ${Math.round(100 * this.at[1])}% down`;
-      if (this.painting) {
+      const { painting, brush } = this;
+      if (!brush) {
+        this.painting = !painting;
+        if (!painting) this.dragged = { from: this.at, to: this.at };
+        const done = painting && this.endBox();
+        this.told = !painting ? `One corner at ${where}.` : done ? `The other corner at ${where}.` : "That box has no area. Start it again.";
+      } else if (painting) {
         this.finish();
         this.told = `Brush lifted at ${where}.`;
       } else {
@@ -234,9 +291,9 @@ export class SubjectCanvas extends Part {
         this.goTo(this.at, true);
         this.told = `Brush down at ${where}.`;
       }
-    } else if (event.key === "Escape" && this.points.length > 0) {
+    } else if (event.key === "Escape" && (this.points.length > 0 || this.dragged)) {
+      this.told = this.dragged ? "Box taken back." : "Stroke taken back.";
       this.cancel();
-      this.told = "Stroke taken back.";
     } else return;
     event.preventDefault();
     event.stopPropagation();
@@ -246,16 +303,16 @@ export class SubjectCanvas extends Part {
   private goTo(spot: Spot, paints: boolean): void {
     this.at = spot;
     this.placeRing();
-    if (paints) this.addPoint(spot);
+    if (paints && this.brush) this.addPoint(spot);
   }
 
   private placeRing(): void {
     const { ring, at, subject, brush } = this;
-    if (!ring || !subject || !brush) return;
+    if (!ring || !subject) return;
     const { width, height } = subject.picture;
     ring.style.setProperty("left", `${100 * at[0]}%`);
     ring.style.setProperty("top", `${100 * at[1]}%`);
-    ring.style.setProperty("width", `${(100 * brush.width * Math.max(width, height)) / width}%`);
+    ring.style.setProperty("width", `${(100 * (brush?.width ?? 0) * Math.max(width, height)) / width}%`);
   }
 
   private addPoint([x, y]: Spot): void {
@@ -265,6 +322,12 @@ export class SubjectCanvas extends Part {
     const [px, py] = [x * width, y * height];
     const count = points.length;
     if (count > 0 && Math.hypot(px - points[count - 2]!, py - points[count - 1]!) < LEAST_STEP_PX) return;
+    if (this.tool!.kind === "mark") {
+      points.push(px, py);
+      this.repaintMarks();
+      void this.lookAhead();
+      return;
+    }
     if (!this.live) {
       const ink = maskOf(subject)?.ink.slice() ?? new Uint8Array(width * height);
       this.live = { width, height, ink };
@@ -275,17 +338,35 @@ export class SubjectCanvas extends Part {
     this.repaint();
   }
 
+  /** Shows what the mark under way would find, again and again as long as it grows. */
+  private async lookAhead(): Promise<void> {
+    if (this.foreseeing) return;
+    this.foreseeing = true;
+    for (let [seen, count] = [this.points, 0]; this.points.length > 0 && (this.points !== seen || this.points.length > count); ) {
+      [seen, count] = [this.points, this.points.length];
+      const { subject, brush } = this;
+      const found = subject && brush && (await this.foresee?.(maskStroke(seen, maskSize(subject), brush)));
+      // Another hand, or none: it is for the subject to say.
+      if (!found || this.points !== seen) continue;
+      this.foreseen = found;
+      this.repaint();
+    }
+    this.foreseeing = false;
+  }
+
   private finish(): void {
-    const { points, brush, subject } = this;
+    const { points, brush, subject, tool } = this;
     this.rest();
     if (points.length === 0 || !brush || !subject) return;
-    this.dispatchEvent(new CustomEvent<MaskStroke>("stroke", { detail: maskStroke(points, maskSize(subject), brush) }));
+    const stroke = maskStroke(points, maskSize(subject), brush);
+    if (tool?.kind === "mark") this.pending = [...this.pending, stroke];
+    this.dispatchEvent(new CustomEvent<MaskStroke>("stroke", { detail: stroke }));
   }
 
   private cancel(): void {
     this.dragged = null;
     this.rest();
-    this.live = null;
+    this.live = this.foreseen = null;
     this.repaint();
   }
 
@@ -340,6 +421,29 @@ function veil({ width, height, ink }: Ink, others: Ink | null): OffscreenCanvas 
   for (let i = 0; i < ink.length; i++) pixels.data[4 * i + 3] = (others?.ink[i] ? THIN_VEIL : VEIL) * (255 - ink[i]!);
   context.putImageData(pixels, 0, 0);
   return canvas;
+}
+
+/** Marks in the picture: whole lines on the object, dashed ones beside it. */
+function paintMarks(canvas: HTMLCanvasElement, marks: readonly MaskStroke[], style: CSSStyleDeclaration): void {
+  const { width, height } = canvas;
+  const context = canvas.getContext("2d", PLAIN)!;
+  const colour = (name: string): string => style.getPropertyValue(`--${name}`);
+  const longer = Math.max(width, height);
+  context.lineCap = context.lineJoin = "round";
+  for (const { adds, width: share, points } of marks) {
+    const path = new Path2D();
+    path.moveTo(points[0]! * width, points[1]! * height);
+    for (let i = 0; i < points.length; i += 2) path.lineTo(points[i]! * width, points[i + 1]! * height);
+    const px = Math.max(share * longer, LEAST_MARK_PX * devicePixelRatio);
+    context.setLineDash([]);
+    context.strokeStyle = colour("raised");
+    context.lineWidth = px;
+    context.stroke(path);
+    context.setLineDash(adds ? [] : [0.01, 1.1 * px]);
+    context.strokeStyle = colour(adds ? "copper" : "ink");
+    context.lineWidth = 0.6 * px;
+    context.stroke(path);
+  }
 }
 
 function hatch(context: CanvasRenderingContext2D, width: number, height: number, period: number): void {

@@ -17,8 +17,11 @@ export interface SubjectEvents {
   "choose-object": { readonly object: number };
   /** The new list of strokes. */
   paint: { readonly strokes: readonly MaskStroke[] };
-  /** Dragged round what is meant. */
-  "give-box": { readonly box: Box };
+  /** Dragged round what is meant; null takes it away. */
+  "give-box": { readonly box: Box | null };
+  /** One more, on what is meant or beside it. */
+  mark: { readonly mark: MaskStroke };
+  "clear-marks": null;
   "open-brush": null;
 }
 

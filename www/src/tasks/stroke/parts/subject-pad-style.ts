@@ -69,6 +69,17 @@ export const subjectPadStyle = css`
     text-wrap: pretty;
     overflow-wrap: anywhere;
   }
+  .pointed {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 8px;
+    margin-block-end: 12px;
+  }
+  .pointed button {
+    flex: 1 1 auto;
+    padding-inline: 8px;
+    font-size: 13px;
+  }
   .segmented {
     margin-block-end: 12px;
   }

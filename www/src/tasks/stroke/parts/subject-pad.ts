@@ -1,7 +1,7 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { paintSample, sampleFile, SAMPLES, type Sample } from "../example/samples";
-import { objectAt, type Box, type Subject } from "../given";
+import { isPointedAt, objectAt, type Box, type Subject } from "../given";
 import { Part } from "../../../view/part";
 import { foldStyle } from "../../../ui/shared/fold";
 import { icons } from "../../../ui/shared/icons";
@@ -12,11 +12,12 @@ import { padStyle } from "../../../ui/shared/pad-style";
 import { subjectPadStyle } from "./subject-pad-style";
 import { tell } from "./subject-events";
 import "./subject-canvas";
-import { MOST_NUMBERS, type Spot } from "./subject-canvas";
+import { MOST_NUMBERS, type Spot, type Tool } from "./subject-canvas";
 
 /** How far a tap may miss a thing, a share of the picture's longer side. */
 const REACH = 0.04;
 const SHELF_PX = 96;
+const CHOOSE: Tool = { kind: "choose" };
 
 /** The one picture of a stroke: given here, shown with what is taken for its object, and corrected. Fires `SubjectEvents`. */
 @customElement("subject-pad")
@@ -63,7 +64,7 @@ export class SubjectPad extends Part {
         </div>
         <div class="row">
           <div class="sheet">
-            <subject-canvas class="shown" .subject=${subject} name=${this.described()} ?asks=${this.asks} @tap=${this.tapped} @box=${this.boxed}></subject-canvas>
+            <subject-canvas class="shown" .subject=${subject} name=${this.described()} .tool=${CHOOSE} ?asks=${this.asks} @tap=${this.tapped} @box=${this.boxed}></subject-canvas>
             ${subject || busy ? nothing : this.invitation()}
             ${this.landing.over ? html`<div class="landing">Drop it here</div>` : nothing}
             ${problem && problem !== this.readProblem
@@ -74,13 +75,14 @@ export class SubjectPad extends Part {
           </div>
           ${subject || busy
             ? html`<div class="tools" role="group" aria-label="Tools for the picture">
-                ${this.tool("Brush", "Correct what was found with a brush", icons.brush, () => tell(this, "open-brush", null))}
+                ${this.tool("Mark", "Say what is meant, with a box, marks or a brush", icons.brush, () => tell(this, "open-brush", null))}
                 ${this.tool("Replace", "Choose another picture", icons.picture, () => this.file.click())}
                 ${this.tool("Clear", "Take the picture away", icons.clear, () => tell(this, "clear-subject", null))}
               </div>`
             : this.shelf()}
         </div>
         <p class="line small quiet" role="status">${this.line()}</p>
+        ${subject && isPointedAt(subject) ? this.pointed(subject) : nothing}
         ${subject ? [this.choice(subject), this.depth(subject)] : nothing}
         <input id="file" type="file" accept="image/*" hidden tabindex="-1" aria-label="Picture" @change=${(event: Event) => this.chosen(event, "give")} />
         <input id="depth-file" type="file" accept="image/*" hidden tabindex="-1" aria-label="Depth picture" @change=${(event: Event) => this.chosen(event, "give-depth")} />
@@ -128,17 +130,18 @@ export class SubjectPad extends Part {
     const { subject, busy, note } = this;
     if (busy) return subject ? "Looking for the object…" : "Reading…";
     if (!subject) return "Your picture stays on this device.";
-    if (this.asks && !note) return "Which thing is it? Drag a box round it, or take the brush.";
+    if (this.asks && !note) return "Which thing is it? Drag a box round it, or mark it.";
     const words = note || subject.found?.notes.join(" ");
     if (words) return html`<span title=${words}>${words}</span>`;
     if (subject.strokes.length > 0) return "In colour: the object, with your strokes.";
-    return subject.found ? "In colour: what is taken for the object." : "Nothing found. Paint over the object with the brush.";
+    if (isPointedAt(subject)) return "Found. Mark what is missing or too much.";
+    return subject.found ? "In colour: what is taken for the object." : "Nothing found. Press Mark and paint over the object.";
   }
 
   /** Whether it is not clear what is meant, and nobody has said. */
   private get asks(): boolean {
     const { subject, locked } = this;
-    return !locked && subject?.found?.isSure === false && !subject.box && subject.strokes.length === 0;
+    return !locked && subject?.found?.isSure === false && !isPointedAt(subject) && subject.strokes.length === 0;
   }
 
   private boxed({ detail: box }: CustomEvent<Box>): void {
@@ -151,6 +154,14 @@ export class SubjectPad extends Part {
     const { picture, found, strokes, object } = subject;
     const which = found && found.count > 1 ? `, thing ${object} of ${found.count}` : "";
     return `${picture.name}, ${found ? `its object in colour${which}` : "no object found"}${strokes.length > 0 ? ", corrected by hand" : ""}`;
+  }
+
+  private pointed({ box, marks }: Subject) {
+    const idle = !this.locked && !this.busy;
+    return html`<div class="pointed">
+      ${box ? html`<button ?disabled=${!idle} @click=${() => tell(this, "give-box", { box: null })}>Remove the box</button>` : nothing}
+      ${marks?.length ? html`<button ?disabled=${!idle} @click=${() => tell(this, "clear-marks", null)}>Clear marks</button>` : nothing}
+    </div>`;
   }
 
   /** The same as tapping a thing in the picture, for keys. */
