@@ -1,11 +1,11 @@
 /** One picture to a wire that turns, as people make one: from a picture to a comparison, and everything back after a reload. */
 
 import { join } from "node:path";
-import type { Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { inBothColours, inspect } from "./a11y";
 import { choose, contextWithProfile, figure, idle, openPart, phase, requestsElsewhere, ROOT, runButton, shoot, visit } from "./browser";
-import { dropFiles } from "./gestures";
+import { drawStroke, dropFiles } from "./gestures";
 import { inkOn, padsReady } from "./pads";
 import { openSite } from "./site";
 
@@ -21,7 +21,7 @@ const comparison = (page: Page) => page.locator("wire-comparison");
 /** Turns to the second job, whose example is then there. */
 async function toOnePicture(page: Page): Promise<void> {
   await job(page, "One picture").click();
-  await pad(page).getByRole("button", { name: "Brush" }).waitFor();
+  await pad(page).getByRole("button", { name: "Mark", exact: true }).waitFor();
   await page.getByText(/goes on round the back/).waitFor({ state: "attached" });
 }
 
@@ -249,7 +249,7 @@ it("does it all by keys", async () => {
   await tabTo(/tab-multiview/);
   await page.keyboard.press("ArrowRight");
   expect(await focused()).toMatch(/tab-stroke/);
-  await pad(page).getByRole("button", { name: "Brush" }).waitFor();
+  await pad(page).getByRole("button", { name: "Mark", exact: true }).waitFor();
   await page.getByText(/goes on round the back/).waitFor();
   await tabTo(/Use your own/);
   await page.keyboard.press("Enter");
@@ -344,4 +344,86 @@ for (const [width, height] of [[1440, 900], [360, 740]] as const) {
     expect(faults).toEqual([]);
     await page.context().close();
   });
+}
+
+it("cuts out what a box is round and marks are on, again at each mark, and takes each back", async () => {
+  const { page, faults } = await visit(browser, site.url, { viewport: { width: 1440, height: 900 } });
+  await padsReady(page);
+  await toOnePicture(page);
+  await page.getByRole("button", { name: "Use your own" }).click();
+  await dropFiles(page, pad(page), [{ name: "two.png", buffer: await twoThings(page) }]);
+  await pad(page).locator(`subject-canvas[name*="two.png"]`).waitFor();
+  await pad(page).getByRole("button", { name: "Mark", exact: true }).click();
+  const editor = page.locator("mask-editor");
+  const frame = editor.locator("subject-canvas .frame");
+  const choose = (tool: string) => editor.locator(`input[value=${tool}]`).check({ force: true });
+  const left = () => veiledAt(frame, 0.35);
+  const right = () => veiledAt(frame, 0.65);
+  await choose("box");
+  await drawStroke(page, frame, [[0.12, 0.15], [0.88, 0.85]]);
+  await editor.getByText("Found, by a box").waitFor();
+  await expect.poll(async () => [await left(), await right()]).toEqual([false, false]);
+  await choose("not-this");
+  await drawStroke(page, frame, [[0.65, 0.4], [0.66, 0.6]]);
+  await editor.getByText("by a box and 1 mark").waitFor();
+  await expect.poll(async () => [await left(), await right()]).toEqual([false, true]);
+  await inspect(page, "stroke-marked");
+  await editor.getByRole("button", { name: /^Undo/ }).click();
+  await expect.poll(async () => [await left(), await right()]).toEqual([false, false]);
+  // The same by keys.
+  await frame.focus();
+  const down = async (key: string, times: number): Promise<void> => {
+    for (let i = 0; i < times; i++) await page.keyboard.press(key);
+  };
+  await frame.hover({ position: { x: 5, y: 5 } });
+  await down("Shift+ArrowRight", 10);
+  await down("Shift+ArrowDown", 6);
+  await page.keyboard.press("Space");
+  await down("ArrowDown", 3);
+  await page.keyboard.press("Space");
+  await expect.poll(async () => [await left(), await right()]).toEqual([false, true]);
+  await editor.getByRole("button", { name: "Clear marks" }).click();
+  await expect.poll(async () => [await left(), await right()]).toEqual([false, false]);
+  await choose("box");
+  await editor.getByRole("button", { name: "Remove the box" }).click();
+  await editor.getByText("In colour: what was found").waitFor();
+  // All of it painted away is said, with a way on.
+  await choose("fine");
+  await editor.locator("input[value=remove]").check({ force: true });
+  await editor.locator("#width").fill("25");
+  for (const y of [0.1, 0.3, 0.5, 0.7, 0.9]) await drawStroke(page, frame, [[0.02, y], [0.98, y]]);
+  await editor.getByRole("button", { name: "Done" }).click();
+  await runButton(page).click();
+  await page.getByText(/shows no object.*paint more of the object/).first().waitFor();
+  expect(faults).toEqual([]);
+  await page.context().close();
+});
+
+/** A red and a blue disc that touch, on a grey ground with grain. */
+async function twoThings(page: Page): Promise<Buffer> {
+  const base64 = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(480, 360);
+    const context = canvas.getContext("2d")!;
+    const pixels = context.createImageData(480, 360);
+    for (let i = 0; i < pixels.data.length; i += 4) {
+      const [x, y] = [(i / 4) % 480, Math.floor(i / 4 / 480)];
+      const on = (cx: number): boolean => Math.hypot(x - cx, y - 180) < 74;
+      const grain = (x * 7919 + y * 104729) % 23;
+      const colour = on(168) ? [170, 50, 40] : on(312) ? [40, 60, 150] : [165, 165, 160];
+      pixels.data.set([...colour.map((value) => value + grain), 255], i);
+    }
+    context.putImageData(pixels, 0, 0);
+    const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  });
+  return Buffer.from(base64, "base64");
+}
+
+/** Whether the picture is veiled at a share of its width, half way down. */
+function veiledAt(frame: Locator, x: number): Promise<boolean> {
+  return frame.locator("canvas#over").evaluate((element, x) => {
+    const canvas = element as HTMLCanvasElement;
+    const [alpha] = canvas.getContext("2d")!.getImageData(Math.round(x * canvas.width), Math.round(canvas.height / 2), 1, 1).data.subarray(3);
+    return alpha! > 127;
+  }, x);
 }

@@ -36,6 +36,11 @@ const pad = () => page.locator("subject-pad");
 const shown = () => pad().locator("subject-canvas .frame");
 const editor = () => page.locator("mask-editor");
 const large = () => editor().locator("subject-canvas .frame");
+/** Opens the editor with the brush in hand. */
+async function takeBrush(): Promise<void> {
+  await button(/^Mark$/).click();
+  await editor().locator("input[value=fine]").check({ force: true });
+}
 const kinds = () => page.evaluate(() => (window as unknown as Place).place.events.map(({ kind }) => kind));
 const strokes = () => page.evaluate(() => (window as unknown as Place).place.subject?.strokes.length ?? -1);
 
@@ -144,7 +149,7 @@ describe("giving a picture", () => {
       place.draw();
     });
     const before = await kinds();
-    await expect.poll(() => button("Brush").isDisabled()).toBe(true);
+    await expect.poll(() => button(/^Mark$/).isDisabled()).toBe(true);
     await shown().click();
     await dropFiles(page, shown(), [{ name: "late.png", buffer: await things() }]);
     await page.waitForTimeout(300);
@@ -248,10 +253,15 @@ describe("a box", () => {
     expect(line.width).toBeCloseTo(0.6 * frame.width, -1);
     await page.mouse.up();
     await expect.poll(async () => (await subject())?.box?.map((share) => Math.round(10 * share))).toEqual([3, 2, 9, 8]);
-    expect(await pad().locator("subject-canvas .box").count()).toBe(0);
+    // It stays to be seen, and goes by a button, too.
+    expect(await pad().locator("subject-canvas .box:not(.under-way)").count()).toBe(1);
+    await inspect(page, "subject-box");
+    await button("Remove the box").click();
+    await expect.poll(() => pad().locator("subject-canvas .box").count()).toBe(0);
+    expect((await subject())?.box).toBeNull();
     await drag([0.72, 0.32], [0.73, 0.32]);
     await page.mouse.up();
-    await expect.poll(kinds).toEqual(["give", "give-box", "choose-object"]);
+    await expect.poll(kinds).toEqual(["give", "give-box", "give-box", "choose-object"]);
   });
 
   it("is asked for where it is not clear what is meant", async () => {
@@ -269,12 +279,88 @@ describe("a box", () => {
   });
 });
 
+describe("marks", () => {
+  const marks = () => page.evaluate(() => ((window as unknown as Place).place.subject as { marks?: readonly { adds: boolean; points: readonly number[] }[] }).marks ?? []);
+
+  it("are drawn on what is meant and on what is not, undone one by one and cleared", async () => {
+    await open();
+    await giveThings();
+    await button(/^Mark$/).click();
+    await drawStroke(page, large(), [[0.2, 0.5], [0.4, 0.5]]);
+    await expect.poll(marks).toMatchObject([{ adds: true }]);
+    await editor().getByText("by 1 mark").waitFor();
+    await page.keyboard.press("x");
+    await drawStroke(page, large(), [[0.3, 0.3], [0.3, 0.7]]);
+    // The later one rubs the earlier one out where they cross.
+    await expect.poll(async () => (await marks()).map(({ adds }) => adds)).toEqual([true, true, false]);
+    await page.mouse.move(500, 700);
+    await inspect(page, "subject-marks");
+    await editor().getByRole("button", { name: /^Undo/ }).click();
+    await expect.poll(async () => (await marks()).length).toBe(1);
+    await editor().getByRole("button", { name: "Clear marks" }).click();
+    await expect.poll(marks).toEqual([]);
+    expect(await kinds()).toEqual(["give", "open-brush", "mark", "mark", "undo", "clear-marks"]);
+  });
+
+  it("and a box are made with keys alone, and a box with numbers", async () => {
+    await open();
+    await giveThings();
+    await button(/^Mark$/).focus();
+    await page.keyboard.press("Enter");
+    await large().waitFor();
+    await large().focus();
+    await page.keyboard.press("Space");
+    await page.keyboard.press("Shift+ArrowLeft");
+    await page.keyboard.press("Space");
+    await expect.poll(marks).toMatchObject([{ adds: true, points: [0.5, 0.5, 0.4375, 0.5] }]);
+    await editor().locator("input[value=box]").focus();
+    await page.keyboard.press("Space");
+    await large().focus();
+    for (const key of ["Space", "Shift+ArrowRight", "Shift+ArrowRight", "Shift+ArrowDown", "Space"]) await page.keyboard.press(key);
+    await expect.poll(async () => (await subject())?.box?.map((share) => Math.round(1000 * share))).toEqual([438, 500, 563, 583]);
+    await inspect(page, "subject-box-keys");
+    await editor().getByLabel("Left").fill("20");
+    await page.keyboard.press("Tab");
+    await expect.poll(async () => (await subject())?.box?.[0]).toBe(0.2);
+    // No side passes the opposite one.
+    await editor().getByLabel("Right").fill("5");
+    await page.keyboard.press("Tab");
+    await expect.poll(async () => (await subject())?.box?.[2]).toBeCloseTo(0.21);
+    // Escape takes a box back that is not done, then closes.
+    await large().focus();
+    await page.keyboard.press("Space");
+    await page.keyboard.press("Shift+ArrowUp");
+    await page.keyboard.press("Escape");
+    expect(await editor().count()).toBe(1);
+    await page.keyboard.press("Escape");
+    await expect.poll(() => editor().count()).toBe(0);
+  });
+
+  it("are a finger's on a phone, with targets as large as one", async () => {
+    await open(PHONE);
+    await giveThings();
+    await button(/^Mark$/).tap();
+    await large().waitFor();
+    for (const tool of ["box", "not-this", "this"]) {
+      await editor().locator(`input[value=${tool}]`).check({ force: true });
+      for (const control of await editor().locator("button:visible, .options:visible, input[type=number]:visible").all()) {
+        expect((await control.boundingBox())!.height).toBeGreaterThanOrEqual(44);
+      }
+      await inspect(page, `subject-phone-${tool}`);
+    }
+    const sheet = (await large().boundingBox())!;
+    await page.touchscreen.tap(sheet.x + 0.3 * sheet.width, sheet.y + 0.5 * sheet.height);
+    await expect.poll(async () => (await marks()).map(({ points }) => points.length)).toEqual([2]);
+    await inspect(page, "subject-phone-marked");
+  });
+});
+
 describe("the brush", () => {
   it("adds and takes away, is undone, and gives up for what was found", async () => {
     await open();
     await trySample("ball");
     const found = await veiled();
-    await button("Brush").click();
+    await takeBrush();
     await drawStroke(page, large(), [[0.1, 0.06], [0.9, 0.06]]);
     await expect.poll(strokes).toBe(1);
     await expect.poll(() => veiled()).toBeLessThan(found - 0.02);
@@ -303,7 +389,7 @@ describe("the brush", () => {
     const blank = await picture(page, 400, 300, "blank");
     await pad().locator("#file").setInputFiles({ name: "fog.png", mimeType: "image/png", buffer: blank });
     await page.getByText("Nothing found").waitFor();
-    await button("Brush").click();
+    await takeBrush();
     expect(await veiled()).toBe(0);
     await drawStroke(page, large(), [[0.3, 0.5], [0.7, 0.5]]);
     await expect.poll(() => veiled()).toBeGreaterThan(0.8);
@@ -314,8 +400,10 @@ describe("the brush", () => {
   it("works with keys alone", async () => {
     await open();
     await trySample("ball");
-    await button("Brush").focus();
+    await button(/^Mark$/).focus();
     await page.keyboard.press("Enter");
+    await large().waitFor();
+    for (let i = 0; i < 2; i++) await page.keyboard.press("ArrowRight");
     await large().focus();
     await page.keyboard.press("x");
     for (let i = 0; i < 4; i++) await page.keyboard.press("]");
@@ -347,6 +435,7 @@ describe("the brush", () => {
     await page.touchscreen.tap(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
     await large().waitFor();
     await page.waitForTimeout(200);
+    await editor().locator("input[value=fine]").check({ force: true });
     const sheet = (await large().boundingBox())!;
     const session = await page.context().newCDPSession(page);
     const touch = (type: "touchStart" | "touchMove" | "touchEnd", x: number, y: number) =>
@@ -382,7 +471,7 @@ it.each([["narrow", { viewport: { width: 1024, height: 700 } }], ["small", { ...
   await giveThings();
   expect(await sticksOut()).toEqual([]);
   await inspect(page, `subject-${name}`);
-  await button("Brush").click();
+  await takeBrush();
   await large().waitFor();
   await page.waitForTimeout(300);
   await inspect(page, `subject-${name}-brush`);
@@ -398,7 +487,7 @@ describe.each([
     await inspect(page, `subject-${name}-${size}-empty`);
     await giveThings();
     await inspect(page, `subject-${name}-${size}`);
-    await button("Brush").click();
+    await takeBrush();
     await drawStroke(page, large(), [[0.05, 0.08], [0.9, 0.08]]);
     await page.waitForTimeout(200);
     await inspect(page, `subject-${name}-${size}-brush`);
