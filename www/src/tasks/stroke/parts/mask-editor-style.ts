@@ -51,6 +51,10 @@ export const maskEditorStyle = css`
       grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
       gap: 16px;
     }
+    /* It stays where it is when the tools below it change. */
+    subject-canvas {
+      place-items: start center;
+    }
     .panel {
       gap: 12px;
       padding-block-end: 16px;

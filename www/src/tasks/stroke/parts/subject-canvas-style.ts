@@ -51,7 +51,7 @@ export const subjectCanvasStyle = css`
   }
   .ring {
     position: absolute;
-    min-width: 10px;
+    min-width: 16px;
     aspect-ratio: 1;
     translate: -50% -50%;
     border: 2px solid var(--copper);

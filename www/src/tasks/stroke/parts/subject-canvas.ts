@@ -433,7 +433,8 @@ function paintMarks(canvas: HTMLCanvasElement, marks: readonly MaskStroke[], sty
   for (const { adds, width: share, points } of marks) {
     const path = new Path2D();
     path.moveTo(points[0]! * width, points[1]! * height);
-    for (let i = 0; i < points.length; i += 2) path.lineTo(points[i]! * width, points[i + 1]! * height);
+    // A line to where it is would be none.
+    for (let i = 0; i < points.length; i += 2) path.lineTo(points[i]! * width + 0.01, points[i + 1]! * height);
     const px = Math.max(share * longer, LEAST_MARK_PX * devicePixelRatio);
     context.setLineDash([]);
     context.strokeStyle = colour("raised");
