@@ -18,7 +18,9 @@
 #[cfg(feature = "files")]
 pub mod files;
 
-pub use wire4d_core::{Error, Result, error, geometry, mesh, objective, optimize, parallel, raster, rng, view, wire};
+pub use wire4d_core::{
+    Error, Result, error, geometry, mesh, objective, optimize, parallel, raster, rng, segment, view, wire,
+};
 #[cfg(feature = "files")]
 pub use wire4d_model as model;
 

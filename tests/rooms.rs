@@ -10,6 +10,7 @@ const ORDER: &[&str] = &[
     "wire",
     "view",
     "geometry",
+    "segment",
     "mesh",
     "raster",
     "objective",

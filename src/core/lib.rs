@@ -35,6 +35,7 @@ pub mod geometry;
 pub mod mesh;
 pub mod objective;
 pub mod raster;
+pub mod segment;
 pub mod view;
 pub mod wire;
 

@@ -119,7 +119,6 @@ fn strokes_add_and_take_away_and_nobody_is_asked_then() {
 
 #[test]
 fn strokes_alone_say_which_thing_it_is() {
-    // The bottle and the ball: a stroke on the smaller one is enough.
     let taken = photograph(&twelve()[5]);
     let alone = Given::picture(picture(&twelve()[5]));
     let inside = (0..SIDE * SIDE).filter(|&i| taken.mask[i]).map(|i| [(i % SIDE) as f32, (i / SIDE) as f32]);

@@ -1,8 +1,7 @@
 //! Part of a photograph at one size, and its least cut by colours and edges.
 
-use super::colours::{Mixture, Palette};
-use super::flow::{GridFlow, NEIGHBOURS};
 use crate::picture::spread::quantile;
+use crate::segment::{GridFlow, Mixture, NEIGHBOURS, Palette};
 
 /// What setting a sure pixel free would cost.
 const SURE: f64 = 1000.0;

@@ -4,8 +4,6 @@
 //! then once more at full size in a band along the border. Without a hint it is looked for, and how sure that is is said.
 
 mod bars;
-mod colours;
-mod flow;
 mod level;
 mod place;
 mod region;
@@ -70,6 +68,8 @@ pub struct Cutter {
     photo: Photo,
     /// What of it is no black bar.
     frame: [usize; 4],
+    /// What is wrong with the picture as a whole, once that was looked at.
+    faults: Option<Result<Vec<String>>>,
     /// What was found in the whole picture, and inside the last box, before any stroke.
     whole: Option<Found>,
     boxed: Option<([usize; 4], Found)>,
@@ -83,7 +83,7 @@ struct Found {
 impl Cutter {
     /// For one photograph.
     pub fn new(photo: Photo) -> Cutter {
-        Cutter { frame: bars::without_bars(&photo), photo, whole: None, boxed: None }
+        Cutter { frame: bars::without_bars(&photo), photo, faults: None, whole: None, boxed: None }
     }
 
     /// The photograph.
@@ -100,7 +100,10 @@ impl Cutter {
     pub fn cut(&mut self, hints: &Hints) -> Result<Cut> {
         let bounds = self.bounds(hints)?;
         self.check_strokes(hints, bounds.unwrap_or(self.frame))?;
-        let mut notes = self.looked_over()?;
+        if self.faults.is_none() {
+            self.faults = Some(self.looked_over());
+        }
+        let mut notes = self.faults.clone().unwrap_or(Ok(Vec::new()))?;
         let Found { region, guess } = self.found(bounds);
         let (mask, guessed) = (region.cut(guess, &hints.object, &hints.ground), guess.sure);
         let share = mask.data.iter().filter(|&&value| value > 0.5).count() as f64 / mask.data.len() as f64;

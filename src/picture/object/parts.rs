@@ -1,6 +1,6 @@
 //! The objects in a picture: one of them is chosen.
 
-use super::super::Mask;
+use super::super::{Components, Mask};
 use crate::picture::Ink;
 use crate::view::Image;
 use crate::{Error, Result};
@@ -57,7 +57,8 @@ pub fn chosen_part(
             if given { "paint more of the object" } else { "use a picture with a larger object, or paint a mask" };
         return Err(Error::picture(name, format!("shows no object: {} pixels stand out", solid.count()), remedy));
     }
-    let parts = parts(&solid);
+    let group = near(&solid).components();
+    let parts = parts(&solid, &group);
     let count = parts.shares.len();
     if object == 0 || object > count {
         let (are, objects) = if count == 1 { ("is", "object") } else { ("are", "objects") };
@@ -90,7 +91,6 @@ pub fn chosen_part(
     }
     let least = (SPECK * size).max(1.0) as usize;
     let pieces = solid.components();
-    let group = near(&solid).components();
     // Soft pixels beside the object are its edge.
     let its_group = of_it.data.iter().zip(&group.labels).find(|(of_it, _)| **of_it).map_or(0, |(_, &label)| label);
     let kept = (0..width * height).map(|i| {
@@ -103,11 +103,10 @@ pub fn chosen_part(
 /// What lies close to a mask. What an outline encloses belongs to it.
 fn near(solid: &Mask) -> Mask {
     let close = (JOINED_WITHIN * solid.width.max(solid.height) as f32).max(1.5) / 2.0;
-    Mask { data: filled(solid).distance_px().data.iter().map(|&d| d <= close).collect(), ..*solid }
+    filled(solid).dilated(close)
 }
 
-fn parts(solid: &Mask) -> Parts {
-    let groups = near(solid).components();
+fn parts(solid: &Mask, groups: &Components) -> Parts {
     let mut inked = vec![0usize; groups.sizes.len()];
     for (&label, _) in groups.labels.iter().zip(&solid.data).filter(|(_, solid)| **solid) {
         inked[label as usize - 1] += 1;

@@ -372,6 +372,43 @@ fn one_picture_becomes_a_stroke_with_everything_beside_it() {
 }
 
 #[test]
+fn marks_say_which_thing_is_meant_and_bad_ones_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let disc = |x: u32, y: u32, cx: f64, r: f64| (f64::from(x) - cx).hypot(f64::from(y) - 31.5) < r;
+    grey(&at("two.png"), 64, |x, y| if disc(x, y, 20.0, 14.0) || disc(x, y, 50.0, 8.0) { 40 } else { 230 });
+    let stroke = |out: &str, more: &[&str]| {
+        let (two, out) = (at("two.png"), at(out));
+        let quick =
+            ["stroke", text(&two), "--out", text(&out), "--preset", "fast", "--size", "64", "--iterations", "1"];
+        wire4d(&[&quick[..], more].concat())
+    };
+    let is_object =
+        |out: &str, x: u32| image::open(at(out).join("mask.png")).unwrap().to_luma8().get_pixel(x, 32)[0] > 127;
+    succeeds(&stroke(
+        "marked",
+        &["--mark-object", "49,30,51,34", "--mark-object", "50,32", "--mark-ground", "20,20,20,44"],
+    ));
+    assert!(is_object("marked", 50) && !is_object("marked", 20));
+    succeeds(&stroke("boxed", &["--box", "1,10,62,44", "--mark-ground", "47,32,53,32"]));
+    assert!(is_object("boxed", 20) && !is_object("boxed", 50));
+    for (more, name, word) in [
+        (&["--mark-object", "1,2,3"][..], "mark-object", "3 numbers"),
+        (&["--mark-ground", "1,two"], "mark-ground", "give X,Y,X,Y"),
+        (&["--mark-ground", ""], "mark-ground", "give X,Y,X,Y"),
+        (&["--mark-object", "70,10"], "mark-object", "stay within 64 x 64"),
+        (&["--mark-object", "-1,10"], "mark-object", "outside the picture"),
+        (&["--mark-object", "20,32", "--mark-ground", "20,32"], "mark-object", "undo one"),
+        (&["--mark-object", "50,32", "--box", "2,10,30,40"], "mark-object", "outside the box"),
+    ] {
+        let output = stroke("bad", more);
+        refused(&output, name);
+        refused(&output, word);
+    }
+    assert!(!at("bad").exists());
+}
+
+#[test]
 fn a_raster_scene_is_drawn_compared_and_timed() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);

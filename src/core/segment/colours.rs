@@ -21,11 +21,14 @@ const SHADOW_SHARE: f64 = 0.02;
 
 /// Colours that occur, and which of them each pixel has.
 pub struct Palette {
+    /// Their means.
     pub colours: Vec<[f64; 3]>,
+    /// Index of each pixel's colour.
     pub entry: Vec<u32>,
 }
 
 impl Palette {
+    /// Of pixels whose channels reach from 0 to 160 and from -80 to 80.
     pub fn of(lab: &[[f32; 3]]) -> Palette {
         let cell = |[l, a, b]: [f32; 3]| {
             let place = |v: f32, shift: f32| ((v / CELL + shift) as i32).clamp(0, CELLS - 1);
