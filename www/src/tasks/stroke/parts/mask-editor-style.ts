@@ -11,6 +11,8 @@ export const maskEditorStyle = css`
   subject-canvas {
     position: absolute;
     inset: 0;
+    /* It stays where it is when the tools below it change. */
+    place-items: start center;
     transition: opacity 150ms ease;
   }
   subject-canvas::part(frame) {
@@ -51,10 +53,6 @@ export const maskEditorStyle = css`
       grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
       gap: 16px;
     }
-    /* It stays where it is when the tools below it change. */
-    subject-canvas {
-      place-items: start center;
-    }
     .panel {
       gap: 12px;
       padding-block-end: 16px;
@@ -64,6 +62,24 @@ export const maskEditorStyle = css`
     }
     .panel .status {
       min-height: 20px;
+    }
+  }
+  /* The picture before words. */
+  @container (max-width: 639px) and (max-height: 560px) {
+    .panel,
+    .of-tool {
+      gap: 8px;
+    }
+    .how {
+      display: none;
+    }
+    .panel legend,
+    .field label {
+      position: absolute;
+      width: 1px;
+      height: 1px;
+      overflow: hidden;
+      clip-path: inset(50%);
     }
   }
 `;

@@ -98,7 +98,7 @@ export class MaskEditor extends LitElement {
     return html`<dialog aria-labelledby="title" @cancel=${this.escape} @keydown=${this.key}>
       <div class="all ${busy ? "busy" : ""}">
         <header>
-          <h2 id="title">What is meant</h2>
+          <h2 id="title">Mark</h2>
           <span class="moved small quiet">${subject.picture.name}</span>
           ${this.step("Undo", icons.undo, this.undo, "undo")} ${this.step("Redo", icons.redo, this.redo, "redo")}
           <button class="primary" @click=${this.close}>Done</button>
