@@ -15,7 +15,8 @@ const NOISE: f32 = 1.6;
 pub fn under(strokes: &[Stroke], width: usize, height: usize, corner: [f64; 2], scale: f64) -> Vec<bool> {
     let mut on = vec![false; width * height];
     for stroke in strokes {
-        let radius = (f64::from(stroke.radius_px) * scale).max(0.6);
+        // The least that meets a pixel, wherever it is.
+        let radius = (f64::from(stroke.radius_px) * scale).max(0.75);
         let points: Vec<[f64; 2]> =
             stroke.points.iter().map(|p| [0, 1].map(|k| (f64::from(p[k]) - corner[k]) * scale)).collect();
         for k in 0..points.len() {
