@@ -1,6 +1,7 @@
 //! Pictures in which there is little to cut out: they end in a cut or in words that say what to do.
 
-use crate::judge::{PHOTOS, box_round};
+use crate::judge::PHOTOS;
+use crate::photo_judge::box_round;
 use crate::scenes::SIDE;
 use wire4d::Error;
 use wire4d::picture::cut::{Cut, Cutter, Hints};

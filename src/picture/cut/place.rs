@@ -52,7 +52,7 @@ mod tests {
     fn the_middle_leans_to_the_object_and_corners_to_the_ground() {
         let place = Place::new([100, 100, 300, 200], [0, 0, 512, 512]);
         assert_eq!(place.lean([200.0, 150.0]), MIDDLE as f32);
-        assert!(place.lean([200.0, 110.0]) > 0.0 && place.lean([115.0, 150.0]) > 0.0);
+        assert!(place.lean([200.0, 110.0]) > 0.0 && place.lean([118.0, 150.0]) > 0.0);
         assert!(place.lean([105.0, 105.0]) < 0.0 && place.lean([0.0, 0.0]) == CORNER as f32);
         assert_eq!(place.lean([130.0, 120.0]), place.lean([270.0, 180.0]));
     }

@@ -45,7 +45,7 @@ const LINE_SHARE: f64 = 0.4;
 
 /// Finds the object of `picture`. A mask `given` by a person or a model (0 to 1, any size) says what it is; else the
 /// alpha channel where it says anything; else whatever differs from the border's colours, which may change smoothly. Of
-/// several it is number `object`, the largest is 1; of a mask always the largest.
+/// several it is number `object`, the largest is 1; of a mask all that is no crumb.
 ///
 /// # Errors
 /// [`crate::Error::Picture`] if nothing stands out, or what does covers nearly the whole border; [`crate::Error::Setting`] if there are

@@ -58,7 +58,12 @@ pub fn chosen_part(
         return Err(Error::picture(name, format!("shows no object: {} pixels stand out", solid.count()), remedy));
     }
     let group = near(&solid).components();
-    let parts = parts(&solid, &group);
+    let mut parts = parts(&solid, &group);
+    if given {
+        // A mask says what the object is: all of it but crumbs.
+        parts.labels.iter_mut().for_each(|label| *label = (*label).min(1));
+        parts.shares = vec![parts.shares.iter().sum()];
+    }
     let count = parts.shares.len();
     if object == 0 || object > count {
         let (are, objects) = if count == 1 { ("is", "object") } else { ("are", "objects") };
@@ -92,10 +97,12 @@ pub fn chosen_part(
     let least = (SPECK * size).max(1.0) as usize;
     let pieces = solid.components();
     // Soft pixels beside the object are its edge.
-    let its_group = of_it.data.iter().zip(&group.labels).find(|(of_it, _)| **of_it).map_or(0, |(_, &label)| label);
+    let mut is_its = vec![false; group.sizes.len() + 1];
+    let inside = of_it.data.iter().zip(&group.labels).filter(|(of_it, _)| **of_it);
+    inside.for_each(|(_, &label)| is_its[label as usize] = label > 0);
     let kept = (0..width * height).map(|i| {
         let piece = pieces.labels[i] as usize;
-        group.labels[i] == its_group && its_group > 0 && (piece == 0 || pieces.sizes[piece - 1] > least)
+        is_its[group.labels[i] as usize] && (piece == 0 || pieces.sizes[piece - 1] > least)
     });
     Ok((Mask { data: kept.collect(), ..solid }, chosen))
 }

@@ -1,10 +1,11 @@
 //! A photograph's object and the lines that are drawn of it.
 
 use super::given::Given;
-use crate::picture::cut::Cutter;
+use crate::picture::cut::{Cut, Cutter};
 use crate::picture::drawing::{Kind, Line};
 use crate::picture::{
-    Ink, JOINED_WITHIN, Mask, OBJECT_PX, Object, ObjectFinder, Outlined, Photo, Picture, find_object, is_photograph,
+    Ink, JOINED_WITHIN, Mask, OBJECT_PX, Object, ObjectFinder, Outlined, PHOTO_PX, Photo, Picture, find_object,
+    is_photograph,
 };
 use crate::settings::{Read, Settings, Shade, Shading};
 use crate::start::Stroke;
@@ -99,7 +100,17 @@ fn cut(given: &Given, settings: &Settings, kept: &mut Kept) -> Result<Option<Sur
     if given.mask.is_some() || !is_pointed_at && (picture.is_cut_out() || !is_drawn(given, settings, kept)) {
         return Ok(None);
     }
-    let mut cut = photo::cut(picture, &given.hints(), &mut kept.cutter)?;
+    let mut cut = match photo::cut(picture, &given.hints(), &mut kept.cutter) {
+        Ok(cut) => cut,
+        // A box in which no object is found still says what is meant.
+        Err(Error::Picture { .. })
+            if given.bounds.is_some() && !given.has_strokes() && is_drawn(given, settings, kept) =>
+        {
+            let [width, height] = [picture.width(), picture.height()].map(|side| side.min(PHOTO_PX));
+            Cut { mask: Image::new(width, height), sure: 0.0, notes: Vec::new() }
+        }
+        Err(error) => return Err(error),
+    };
     let is_missed = |bounds: &[f64; 4]| cut.sure < LEAST_SURE && !spans(&cut.mask, *bounds, picture);
     let unseen = given.bounds.filter(|bounds| is_missed(bounds) && is_drawn(given, settings, kept));
     if let Some(bounds) = unseen {
