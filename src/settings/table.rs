@@ -155,7 +155,7 @@ settings! {
     Stroke /// Largest half thickness, as a share of half the object's smaller side.
     most_depth: f64 = 1.0, "times", Number { min: 0.01, max: 4.0 }, PICTURE, &[Pictures];
     Stroke /// Thin lines round the body of a photographed object that show when it is turned: how long, of its lines.
-    sections: f64 = 0.3, "of 1", Number { min: 0.0, max: 1.0 }, PICTURE, &[Pictures];
+    sections: f64 = 0.22, "of 1", Number { min: 0.0, max: 1.0 }, PICTURE, &[Pictures];
     Stroke /// How far light parts come forward and dark ones go back, as a share of the solid's thickness.
     relief: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 }, PICTURE, &[Pictures];
     Stroke /// From how many more sides, drawn from the seed, the wire is held against the solid.
