@@ -150,7 +150,7 @@ settings! {
     saliency: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 }, PICTURE, &[Pictures];
     Stroke /// Material: how readily highlights stay blank with a line round them; 0 is matte.
     gloss: f64 = 0.0, "of 1", Number { min: 0.0, max: 1.0 }, PICTURE, &[Pictures];
-    Stroke /// Thickness of the solid: 1 makes a ball of a disc, 0 nearly a sheet.
+    Stroke /// Thickness of the solid: 1 makes a ball of a disc, 0 nearly a sheet; under a photograph's lines it is less.
     roundness: f64 = 0.9, "times", Number { min: 0.0, max: 2.0 }, PICTURE, &[Pictures];
     Stroke /// Largest half thickness, as a share of half the object's smaller side.
     most_depth: f64 = 1.0, "times", Number { min: 0.01, max: 4.0 }, PICTURE, &[Pictures];

@@ -38,6 +38,9 @@ pub struct Plan {
 
 /// Margin round the object in its picture, as a share of the picture's side.
 const MARGIN: f64 = 0.08;
+/// How round the solid under a photograph's lines is, times the setting: lines that lie on a whole ball leave their places
+/// when it is turned, and a face can no longer be told.
+const DRAWN_ROUNDNESS: f64 = 0.7;
 /// Path between two control points where their number is given, px at 256: fewer points, sparser lines.
 const PATH_PER_POINT_PX: f64 = 12.0;
 /// Sparsest and densest lines tried for a given number of control points, px at 256.
@@ -70,7 +73,9 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     let laid = |image: &Image| image.letterboxed(part, OBJECT_PX, OBJECT_PX, margin_px, false);
     let (mask, body, tone) = (laid(&seen.mask), laid(&seen.body), laid(&seen.tone));
 
-    let options = SolidOptions { roundness: settings.roundness, most_depth: settings.most_depth };
+    let draws_lines = is_drawn && settings.shade != Shade::Full;
+    let roundness = if draws_lines { DRAWN_ROUNDNESS * settings.roundness } else { settings.roundness };
+    let options = SolidOptions { roundness, most_depth: settings.most_depth };
     let mut solid = Solid::inflated(name, &body, &options)?;
     let height_px = body.threshold(0.5).bounding_box().map_or(OBJECT_PX, |part| part.height());
     let others = other_sides(given, height_px, solid.height_world(), &mut notes)?;
@@ -88,7 +93,7 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     let (saliency, highlight) = (laid(&seen.saliency), laid(&seen.highlight));
     let all_seen = body != mask;
     let layers = Layers { mask, tone, saliency, highlight, all_seen };
-    let lines = if is_drawn && settings.shade != Shade::Full {
+    let lines = if draws_lines {
         let strokes = drawn::strokes(picture, seen, unseen, margin_px, settings)?;
         let lines = Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings));
         // A wire of one width has no thin lines.

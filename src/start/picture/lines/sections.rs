@@ -14,7 +14,7 @@ const TURN: f64 = 0.610_865;
 /// Rows are this far apart, px at 256.
 const ROW_PX: f64 = 2.0;
 /// The rim does for the contour that lies this near to it when turned, px at 256.
-const NEAR_PX: f64 = 2.0;
+const NEAR_PX: f64 = 1.2;
 /// Contours are followed to where they are this near to the rim.
 const MET_PX: f64 = 0.7;
 /// From row to row a contour moves aside at most this much, px at 256.
