@@ -19,6 +19,8 @@ const NEAR_PX: f64 = 1.2;
 const MET_PX: f64 = 0.7;
 /// From row to row a contour moves aside at most this much, px at 256.
 const STEP_PX: f64 = 10.0;
+/// Thinnest body that a section goes round, px at 256: the two strands of one round a thinner body touch, and show.
+const THINNEST_PX: f64 = 10.0;
 /// Shorter stretches of contours say nothing, share of the object's height.
 const SHORTEST: f64 = 0.25;
 /// Standard deviation of the smoothing along a contour, rows.
@@ -138,6 +140,10 @@ fn places(body: &Mask, solid: &Solid, y: usize) -> Vec<Place> {
                 sign * world(x) * cos + 0.5 * (front - back) * sin
             };
             let best = (from..x).max_by(|&a, &b| out(a).total_cmp(&out(b)).then(b.cmp(&a))).unwrap_or(from);
+            let [back, front] = solid.depths(world(best), down);
+            if (front - back) / px < THINNEST_PX * side as f64 / 256.0 {
+                continue;
+            }
             let rim = if sign < 0.0 { from } else { x - 1 };
             let beyond = (out(best) - sign * world(rim) * cos) / px;
             found.push(Place { sign, x: best as f64 + 0.5, y: y as f64 + 0.5, beyond });
