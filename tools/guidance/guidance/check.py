@@ -27,9 +27,15 @@ def check(file: Path) -> dict:
     faults = contract.faults(session.inputs, session.outputs)
     if facts.get("io") != contract.as_json():
         faults.append("The sidecar's 'io' does not say what its kind and sizes mean.")
+    for entry in facts.get("embeddings", []):
+        if len(entry["vector"]) != facts["embed"]:
+            said = f"{entry['prompt']!r} has {len(entry['vector'])} numbers and the file's have {facts['embed']}"
+            faults.append(f"The embedding of {said}: it is another model's.")
     if faults:
         raise ContractError(file.name, faults)
     try:
+        if not facts["selftest"]["cases"]:
+            raise ValueError("it has no case")
         faults = selftest.faults(facts["selftest"], contract, session.run)
     except KeyError as error:
         faults = [f"The sidecar's self-test lacks {error}. Export the file again."]

@@ -132,9 +132,9 @@ def _picture_facts() -> dict:
 
 
 def _write(function: Callable, contract: Contract, facts: dict, label: Label, folder: Path, weights: str) -> Report:
-    _try_shapes(function, contract)
+    _try(function, contract)
     program = storage.store(graph.build(function, contract), weights)
-    graph_bytes = program.SerializeToString(deterministic=True)
+    graph_bytes = graph.packed(program)
     run = Session(graph_bytes).run
     cosine, error = _compare(function, contract, run, weights)
     folder.mkdir(parents=True, exist_ok=True)
@@ -158,8 +158,8 @@ def _write(function: Callable, contract: Contract, facts: dict, label: Label, fo
     return Report(file, len(graph_bytes), cosine, error)
 
 
-def _try_shapes(function, contract: Contract) -> None:
-    """A wrong size is told here, in the contract's words, rather than by a tracer."""
+def _try(function, contract: Contract) -> None:
+    """A wrong size and damaged weights are told here, in the contract's words, rather than by a tracer."""
     batch = selftest.BATCH if contract.dynamic else 1
     case = {"inputs": selftest.inputs(contract)[0][1]}
     feeds = selftest.feeds(case, contract, batch)
@@ -171,6 +171,8 @@ def _try_shapes(function, contract: Contract) -> None:
             f"{' '.join(str(error).split())[:300]}. Check the size that was given."
         ) from error
     for port, answer in zip(contract.outputs, answers):
+        if not torch.isfinite(answer).all():
+            raise ModelError(f"The network's {port.name} is not finite: its weights are damaged, or did not load.")
         if tuple(answer.shape) != port.sized(batch):
             raise ModelError(f"The network's {port.name} has shape {list(answer.shape)} and must be {list(port.sized(batch))}.")
 
@@ -187,7 +189,7 @@ def _compare(function, contract: Contract, run, weights: str) -> tuple[dict, dic
             for port, want in zip(contract.outputs, wanted):
                 want, have = want.numpy().astype(np.float64), found[port.name].astype(np.float64)
                 if not np.isfinite(want).all() or not np.isfinite(have).all():
-                    raise ModelError(f"'{port.name}' is not finite in the case '{name}': the weights are damaged, or did not load.")
+                    raise ModelError(f"'{port.name}' is not finite in the case '{name}'. Try fp32 weights.")
                 if have.shape != want.shape:
                     raise ModelError(f"'{port.name}' has shape {list(have.shape)} and torch's has {list(want.shape)}, batch {batch}.")
                 cosine[port.name] = min(cosine[port.name], selftest.cosine(have, want))

@@ -19,7 +19,7 @@ from .errors import ModelError
 
 OPSET = 18
 MARK = "port_"
-MOST_BYTES = 2**31 - 1  # protobuf's limit for one file
+MOST_BYTES = 2**31 - 2**24  # protobuf's limit for one file, less what is not weights
 
 
 def build(function: Callable, contract: Contract) -> onnx.ModelProto:
@@ -39,11 +39,22 @@ def build(function: Callable, contract: Contract) -> onnx.ModelProto:
             f"The network cannot be written as a {contract.kind} graph: {type(error).__name__}: {said}. "
             "If an operator is named, replace it in the network or add a rule to adjoints.py."
         ) from error
-    if program.ByteSize() > MOST_BYTES:
-        raise ModelError("The graph is over 2 GiB and one file cannot hold it. Export with fp16 or int8 weights.")
     _strip(program)
-    onnx.checker.check_model(program)
     return program
+
+
+def packed(program: onnx.ModelProto) -> bytes:
+    """The file's content, always the same for the same graph.
+
+    Raises ModelError if one file cannot hold it, or if it is no valid ONNX.
+    """
+    if sum(len(tensor.raw_data) for tensor in program.graph.initializer) > MOST_BYTES:
+        raise ModelError("The graph is over 2 GiB and one file cannot hold it. Store its weights as fp16 or int8.")
+    try:
+        onnx.checker.check_model(program)
+    except onnx.checker.ValidationError as error:
+        raise ModelError(f"The exported graph is not valid: {' '.join(str(error).split())[:300]}") from error
+    return program.SerializeToString(deterministic=True)
 
 
 def _program(function, example, contract) -> onnx.ModelProto:

@@ -3,6 +3,8 @@
 `checkpoint` is a file, or the tag of weights that open_clip downloads.
 """
 
+import difflib
+
 import torch
 
 from .. import export, tokens
@@ -53,7 +55,7 @@ class _Text(torch.nn.Module):
 def _model(model: str, checkpoint: str | None) -> torch.nn.Module:
     library = need("open_clip")
     if model not in library.list_models():
-        near = [name for name in library.list_models() if name.split("-")[:2] == model.split("-")[:2]][:6]
+        near = difflib.get_close_matches(model, library.list_models(), 4)
         raise SourceError(f"open_clip has no model {model!r}." + (f" It has {', '.join(near)}." if near else ""))
     if checkpoint is None:
         raise SourceError(f"Say which weights of {model}: --checkpoint FILE, or a tag that open_clip knows.")
