@@ -19,10 +19,8 @@ def check(file: Path) -> dict:
     contract = contracts.of_sidecar(facts, sidecar.path_of(file).name)
     found = sidecar.sha256(file)
     if found != facts.get("sha256"):
-        raise ContractError(
-            file.name,
-            [f"Its sha256 is {found} and the sidecar's {facts.get('sha256')}: it is damaged, or belongs to another sidecar. Fetch both again."],
-        )
+        said = f"Its sha256 is {found} and the sidecar's {facts.get('sha256')}"
+        raise ContractError(file.name, [f"{said}: it is damaged, or belongs to another sidecar. Fetch both again."])
     session = Session(file)
     faults = contract.faults(session.inputs, session.outputs)
     if facts.get("io") != contract.as_json():

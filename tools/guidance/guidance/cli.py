@@ -48,7 +48,8 @@ def _check(given) -> int:
     for file in given.files:
         try:
             facts = check.check(file)
-            print(f"{file}: fine. {facts['kind']}, {facts['name']}, {facts['weights']} weights, licence: {facts['licence']}")
+            about = (facts["kind"], facts.get("name"), f"{facts.get('weights')} weights", f"licence: {facts.get('licence')}")
+            print(f"{file}: fine. {', '.join(map(str, about))}")
         except GuidanceError as error:
             wrong += 1
             print(error, file=sys.stderr)

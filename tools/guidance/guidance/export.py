@@ -191,15 +191,15 @@ def _compare(function, contract: Contract, run, weights: str) -> tuple[dict, dic
                 if not np.isfinite(want).all() or not np.isfinite(have).all():
                     raise ModelError(f"'{port.name}' is not finite in the case '{name}'. Try fp32 weights.")
                 if have.shape != want.shape:
-                    raise ModelError(f"'{port.name}' has shape {list(have.shape)} and torch's has {list(want.shape)}, batch {batch}.")
+                    shapes = f"{list(have.shape)} and torch's has {list(want.shape)}"
+                    raise ModelError(f"'{port.name}' has shape {shapes}, batch {batch}: the network fixes the batch somewhere.")
                 cosine[port.name] = min(cosine[port.name], selftest.cosine(have, want))
                 off = np.linalg.norm(have - want) / max(np.linalg.norm(want), 1e-30)
                 error[port.name] = max(error[port.name], float(off))
     # A scalar's or a few cosines' angle says nothing; what is derived from them is in the larger outputs.
     for port in contract.outputs:
         if len(port.shape) > 1 and cosine[port.name] < AGREEMENT[weights]:
-            advice = "Store it with fp16 or fp32." if weights == "int8" else "An operator is exported wrongly: look for its rule."
-            raise ModelError(
-                f"'{port.name}' has cosine {cosine[port.name]:.6f} with torch's, and {weights} asks for {AGREEMENT[weights]}. {advice}"
-            )
+            advice = "Store it as fp16 or fp32." if weights == "int8" else "An operator is exported wrongly: find its rule."
+            found = f"'{port.name}' has cosine {cosine[port.name]:.6f} with torch's"
+            raise ModelError(f"{found}, and {weights} asks for {AGREEMENT[weights]}. {advice}")
     return cosine, error

@@ -5,7 +5,6 @@ takes`. Its library is imported when it is asked for, so that nobody installs wh
 """
 
 import importlib
-from pathlib import Path
 from types import ModuleType
 
 from ..errors import SourceError
@@ -40,13 +39,6 @@ def need(library: str) -> ModuleType:
         raise SourceError(
             f"{library} cannot be imported ({error}). Install it: pip install -r requirements-sources.txt"
         ) from error
-
-
-def existing(checkpoint: str) -> str:
-    """Raises SourceError unless there is such a file or folder."""
-    if not Path(checkpoint).exists():
-        raise SourceError(f"The checkpoint {checkpoint!r} does not exist.")
-    return checkpoint
 
 
 def loaded(what: str, call):
