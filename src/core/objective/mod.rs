@@ -6,6 +6,7 @@ mod elastic;
 mod guidance;
 mod multiscale_mse;
 mod net;
+mod patches;
 mod regularisers;
 mod straight;
 mod surface;
@@ -16,6 +17,7 @@ pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradie
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
 pub use guidance::Guidance;
 pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};
+pub use patches::{Look, Patch};
 pub use regularisers::length_and_gradient;
 pub use surface::surface_and_gradient;
 #[cfg(feature = "gpu")]
