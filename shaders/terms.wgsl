@@ -57,6 +57,8 @@ fn add_terms(@builtin(local_invocation_index) local: u32) {
         terms[others + TERM_TIGHTNESS] = strand[1];
         terms[others + TERM_EVENNESS] = strand[2];
         terms[others + TERM_CLEARANCE] = strand[3];
+        // Whoever guides adds it.
+        terms[others + TERM_GUIDANCE] = 0.0;
         terms[others + TERMS] = f32(atomicLoad(&cells[0]));
         let loss = (total + texture_loss) * now.loss_scale;
         let is_best = loss < best[0].x || now.keeps_last == 1u;

@@ -73,6 +73,16 @@ pub enum Error {
         /// What to do about it.
         remedy: String,
     },
+    /// A network or function that guides a fit cannot be used, or no longer. Not the person's input: exit status 1.
+    #[error("{name}: {problem}; {remedy}")]
+    Guidance {
+        /// What guides, as the person knows it.
+        name: String,
+        /// What went wrong.
+        problem: String,
+        /// What to do about it.
+        remedy: String,
+    },
     /// Something could not be written. Not the person's input: exit status 1.
     #[error("{name}: {problem}; {remedy}")]
     Output {
@@ -88,7 +98,7 @@ pub enum Error {
 impl Error {
     /// Whether the cause is a bad input or option (exit status 2) rather than anything else (1).
     pub fn is_bad_input(&self) -> bool {
-        !matches!(self, Error::Output { .. } | Error::Device { .. })
+        !matches!(self, Error::Output { .. } | Error::Device { .. } | Error::Guidance { .. })
     }
 }
 
@@ -113,6 +123,8 @@ named! {
     input => Input,
     /// [`Error::Device`] from its three parts.
     device => Device,
+    /// [`Error::Guidance`] from its three parts.
+    guidance => Guidance,
     /// [`Error::Output`] from its three parts.
     output => Output,
 }

@@ -1,12 +1,12 @@
 //! The engine on a device, and what happens when the device fails.
 
-use super::calls::{Views, advance, evaluate, fetch};
+use super::calls::{Lookers, Views, advance, evaluate, fetch};
 use super::fault::{Fault, FaultKind};
 use super::pipeline::Pipeline;
 use super::stage::Slot;
 use super::{Absence, Device};
 use crate::Error;
-use crate::objective::Neighbours;
+use crate::objective::{Neighbours, Rendered};
 use crate::optimize::{CpuEngine, Engine, Picture, Place, Scene, SceneView, State, Step, Tally, Work, term_count};
 
 /// Iterations a call, at most.
@@ -133,6 +133,23 @@ impl GpuEngine {
     }
 }
 
+/// The views of a scene that something looks at, blank; none where nothing does.
+fn shown(scene: Option<&Scene>) -> Vec<Rendered> {
+    let Some(scene) = scene.filter(|scene| !scene.guides.is_empty()) else { return Vec::new() };
+    let blank = |SceneView { camera, target, weight, texture_mask, .. }: &SceneView| {
+        let mut blank = Rendered::new(*camera, target.width, target.height, *weight);
+        blank.count(texture_mask.as_ref());
+        blank
+    };
+    scene.views.iter().map(blank).collect()
+}
+
+/// Who looks at those.
+fn lookers<'a>(scene: Option<&'a Scene>, shown: &'a mut [Rendered]) -> Option<Lookers<'a>> {
+    let guides = &scene?.guides;
+    (!shown.is_empty()).then_some(Lookers { guides, shown })
+}
+
 impl Engine for GpuEngine {
     fn load(&mut self, scene: Scene) -> Work<'_> {
         let blank = || scene.views.iter().map(|view| vec![0.0; view.target.data.len()]).collect();
@@ -219,7 +236,11 @@ impl Engine for GpuEngine {
             loop {
                 let evaluated = match &mut self.now {
                     Now::Processor(cpu) => return cpu.evaluate(points, step, terms, d_points).done().await,
-                    Now::Device(pipeline) => evaluate(pipeline, points, step, terms, d_points).await,
+                    Now::Device(pipeline) => {
+                        let mut shown = shown(self.scene.as_ref());
+                        let lookers = lookers(self.scene.as_ref(), &mut shown);
+                        evaluate(pipeline, points, step, lookers, terms, d_points).await
+                    }
                 };
                 match evaluated {
                     Ok(()) => return,
@@ -245,13 +266,17 @@ impl Engine for GpuEngine {
                 let advanced = match &mut self.now {
                     Now::Processor(cpu) => return cpu.advance(state, tally, steps, terms).done().await,
                     Now::Device(pipeline) => {
-                        let count = steps.len().min(pipeline.batch());
+                        let mut shown = shown(self.scene.as_ref());
+                        let lookers = lookers(self.scene.as_ref(), &mut shown);
+                        let most = if lookers.is_some() { 1 } else { pipeline.batch() };
+                        let count = steps.len().min(most);
                         let ahead = &self.ahead[..count.min(self.ahead.len())];
                         let steps = &steps[..count];
                         let advanced = match &self.scene {
                             Some(scene) => {
                                 let views = Views { now: &scene.views, ahead };
-                                advance(pipeline, state, tally, steps, views, &mut terms[..row * count]).await
+                                let terms = &mut terms[..row * count];
+                                advance(pipeline, state, tally, steps, views, lookers, terms).await
                             }
                             None => Err(pipeline.no_scene()),
                         };

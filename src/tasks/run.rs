@@ -5,7 +5,7 @@ use super::plan::{Placed, Plan};
 use super::saved::SavedRun;
 use crate::Result;
 use crate::metrics::{ArrangementReport, EventReport, Report, ResultReport, TimeReport};
-use crate::objective::Displacement;
+use crate::objective::{Displacement, Guidance};
 use crate::optimize::{Event, Place, Session, wait};
 use crate::sculpture::{MadeWith, Sculpture};
 use crate::settings::Settings;
@@ -135,6 +135,16 @@ impl Run {
             self.seen_until = iteration + changes * every;
         }
         Ok(self.seen_until - iteration)
+    }
+
+    /// What else is to guide it from here on: see [`Session::guide_by`].
+    pub fn guide_by(&mut self, name: &str, weight: f32, guidance: Box<dyn Guidance>) {
+        self.session.guide_by(name, weight, guidance);
+    }
+
+    /// See [`Session::stop_guiding`].
+    pub fn stop_guiding(&mut self, name: &str) {
+        self.session.stop_guiding(name);
     }
 
     /// What the report compares the wire's views with.

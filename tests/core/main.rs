@@ -5,6 +5,9 @@ mod export_support;
 #[path = "../../benches/projection_error/figure.rs"]
 mod figure;
 mod filling;
+mod guidance;
+#[path = "../support/guided/mod.rs"]
+mod guided;
 mod metrics_elegance;
 mod metrics_shape;
 #[path = "../support/optimize_common/mod.rs"]

@@ -6,6 +6,9 @@ mod engine;
 mod fill;
 #[path = "../support/gpu_common/mod.rs"]
 mod gpu_common;
+mod guidance;
+#[path = "../support/guided/mod.rs"]
+mod guided;
 #[path = "../support/notice/mod.rs"]
 mod notice;
 #[path = "../support/optimize_common/mod.rs"]

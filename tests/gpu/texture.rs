@@ -6,7 +6,7 @@ use gpu_common::{device, distance, points, scene, step, views};
 use optimize_common::random_wire;
 use std::sync::Arc;
 use wire4d::gpu::{GpuEngine, Pipeline, Slot};
-use wire4d::objective::{Guidance, MultiscaleMse, Pyramid, Texture, TextureLoss, TextureOptions, crop_weights};
+use wire4d::objective::{MultiscaleMse, Pyramid, Texture, TextureLoss, TextureOptions, crop_weights};
 use wire4d::optimize::{CpuEngine, Engine, Picture, Scene, Step, Term, term_count, wait};
 use wire4d::rng::Rng;
 use wire4d::view::Image;
@@ -55,7 +55,9 @@ fn of_noise(pipeline: &mut Pipeline, scene: &Scene, skew: f32) -> [f64; 2] {
         let mut gradient = mse.evaluate(&picture.data, &view.target.data, step.level_ratio, view.weight).1.to_vec();
         let mut texture = TextureLoss::new(scene.texture.as_ref().unwrap(), width, height);
         let weight = skew * step.texture * view.weight;
-        loss += texture.guide(&picture.data, &weights(scene, v), weight, &mut gradient);
+        let (value, pull) = texture.evaluate(&picture.data, &weights(scene, v), weight);
+        loss += value;
+        gradient.iter_mut().zip(pull).for_each(|(sum, d)| *sum += d);
         d_coverage.extend(gradient);
     }
     let terms: Vec<f32> = pipeline.read(Slot::Terms, term_count(3)).unwrap();

@@ -15,12 +15,12 @@ mod warp;
 
 pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradient};
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
-pub use guidance::Guidance;
+pub use guidance::{Guidance, Guides, Progress, Rendered};
 pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};
 pub use patches::{Look, Patch};
 pub use regularisers::length_and_gradient;
 pub use surface::surface_and_gradient;
 #[cfg(feature = "gpu")]
 pub use texture::packed as packed_texture;
-pub use texture::{Texture, TextureLoss, TextureOptions, crop_weights};
+pub use texture::{Texture, TextureGuidance, TextureLoss, TextureOptions, crop_weights};
 pub use warp::{Displacement, Warp, WarpWeights, bend_ink};

@@ -163,6 +163,7 @@ impl Session {
         if !saved.counts_add_up() {
             return Err(refuse("its counters are damaged"));
         }
+        let saved = Checkpoint { history: saved.history.completed(), ..saved };
         if !saved.history.is_valid(session.problem.targets.len()) {
             return Err(refuse("its history is of other views"));
         }

@@ -1,99 +1,76 @@
 //! The processor's engine: samples, then each view on its own (in parallel with the `threads` feature), then the sum in
 //! view order, so that the number of threads changes no bit.
 
-use super::RasterKind;
-use super::Work;
 use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
 use super::term::Term;
+use super::{RasterKind, Work, wait};
 use crate::objective::{
-    Guidance, MultiscaleMse, Neighbours, Pyramid, Texture, TextureLoss, clearance_and_gradient, elastic_and_gradient,
-    length_and_gradient, surface_and_gradient,
+    Guides, MultiscaleMse, Neighbours, Pyramid, Rendered, TextureGuidance, clearance_and_gradient,
+    elastic_and_gradient, length_and_gradient, surface_and_gradient,
 };
 use crate::parallel;
 use crate::raster::{BandRaster, ExactRaster, Raster};
-use crate::view::{Camera, Image, Occluder, drop_hidden};
+use crate::view::{Image, Occluder, drop_hidden};
 use crate::wire::{Jerk, LinearMap, Nodes, Stroke};
 use std::collections::VecDeque;
 
 /// One view's share of an iteration, with its buffers.
 struct ViewEngine {
-    camera: Camera<f32>,
-    weight: f32,
     target: Image,
     occluder: Option<Occluder>,
     raster: Box<dyn Raster>,
     mse: MultiscaleMse<f32>,
-    guidance: Option<Box<dyn Guidance>>,
-    /// Which pixels count for it.
-    guided: Vec<f32>,
+    seen: Rendered,
     /// Of each sample; empty where nothing hides any.
     visibilities: Vec<f32>,
     vertices: Vec<[f32; 3]>,
-    coverage: Vec<f32>,
-    d_coverage: Vec<f32>,
     d_vertices: Vec<[f32; 3]>,
     d_samples: Vec<[f32; 4]>,
     loss: f32,
-    guidance_loss: f32,
 }
 
 impl ViewEngine {
-    fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid, texture: Option<&Texture>) -> Self {
+    fn new(view: SceneView, raster: RasterKind, pyramid: Pyramid) -> Self {
         let SceneView { camera, target, weight, occluder, texture_mask } = view;
         let raster: Box<dyn Raster> = match raster {
             RasterKind::Band => Box::new(BandRaster::new()),
             RasterKind::Exact => Box::new(ExactRaster::new()),
         };
-        let loss = |texture| TextureLoss::new(texture, target.width, target.height);
         let mut engine = ViewEngine {
-            camera,
-            weight,
             occluder,
             raster,
             mse: MultiscaleMse::new(pyramid, target.width, target.height),
-            guidance: texture.map(|texture| Box::new(loss(texture)) as Box<dyn Guidance>),
-            guided: Vec::new(),
+            seen: Rendered::new(camera, target.width, target.height, weight),
             visibilities: Vec::new(),
             vertices: Vec::new(),
-            coverage: vec![0.0; target.data.len()],
-            d_coverage: vec![0.0; target.data.len()],
             d_vertices: Vec::new(),
             d_samples: Vec::new(),
             loss: 0.0,
-            guidance_loss: 0.0,
             target,
         };
-        engine.guide(texture_mask);
+        engine.seen.count(texture_mask.as_ref());
         engine
-    }
-
-    /// Where its texture counts.
-    fn guide(&mut self, mask: Option<Image>) {
-        self.guided.clear();
-        match mask {
-            Some(mask) => self.guided.extend_from_slice(&mask.data),
-            None => self.guided.resize(self.target.data.len(), 1.0),
-        }
     }
 
     /// Another view of the same size.
     fn look(&mut self, view: SceneView) {
         let SceneView { camera, target, weight, occluder, texture_mask } = view;
-        (self.camera, self.target, self.weight, self.occluder) = (camera, target, weight, occluder);
-        self.guide(texture_mask);
+        (self.target, self.occluder) = (target, occluder);
+        (self.seen.camera, self.seen.weight) = (camera, weight);
+        self.seen.count(texture_mask.as_ref());
     }
 
     /// Samples to vertices, those thin that are hidden.
     fn project(&mut self, samples: &[[f32; 4]], strokes: &[Stroke]) {
         self.vertices.clear();
         self.vertices.extend(samples.iter().map(|sample| {
-            let [x, y, radius] = self.camera.project(sample);
+            let [x, y, radius] = self.seen.camera.project(sample);
             [x, y, radius.max(0.0)]
         }));
         self.visibilities.clear();
         let Some(occluder) = &self.occluder else { return };
         for (sample, [x, y, radius]) in samples.iter().zip(&mut self.vertices) {
-            let visibility = occluder.visibility([*x, *y], self.camera.depth(sample));
+            let visibility = occluder.visibility([*x, *y], self.seen.camera.depth(sample));
             self.visibilities.push(visibility);
             *radius *= visibility;
         }
@@ -104,31 +81,32 @@ impl ViewEngine {
     fn project_vjp(&mut self, samples: &[[f32; 4]]) {
         self.d_samples.clear();
         let pairs = samples.iter().zip(&self.d_vertices);
+        let camera = &self.seen.camera;
         let Some(occluder) = &self.occluder else {
-            self.d_samples.extend(pairs.map(|(sample, d_vertex)| self.camera.project_vjp(sample, d_vertex)));
+            self.d_samples.extend(pairs.map(|(sample, d_vertex)| camera.project_vjp(sample, d_vertex)));
             return;
         };
         self.d_samples.extend(pairs.zip(&self.visibilities).map(|((sample, d_vertex), &visibility)| {
             let [x, y, z, width] = *sample;
-            let d_thinned = self.camera.project_vjp(&[x, y, z, visibility * width], d_vertex);
-            occluder.thinned_vjp(&self.camera, sample, visibility, d_thinned)
+            let d_thinned = camera.project_vjp(&[x, y, z, visibility * width], d_vertex);
+            occluder.thinned_vjp(camera, sample, visibility, d_thinned)
         }));
     }
 
-    /// Project, draw, compare, and all the way back.
-    fn evaluate(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], step: &Step) {
+    /// Project, draw, compare.
+    fn draw(&mut self, samples: &[[f32; 4]], strokes: &[Stroke], step: &Step) {
         self.project(samples, strokes);
         let coverage = self.raster.forward(self.target.width, self.target.height, &self.vertices, strokes);
-        self.coverage.copy_from_slice(coverage);
-        let (loss, d_coverage) = self.mse.evaluate(&self.coverage, &self.target.data, step.level_ratio, self.weight);
+        let Rendered { coverage: seen, d_coverage: d_seen, weight, .. } = &mut self.seen;
+        seen.copy_from_slice(coverage);
+        let (loss, d_coverage) = self.mse.evaluate(seen, &self.target.data, step.level_ratio, *weight);
         self.loss = loss;
-        self.d_coverage.copy_from_slice(d_coverage);
-        self.guidance_loss = 0.0;
-        if let Some(guidance) = self.guidance.as_mut().filter(|_| step.texture > 0.0) {
-            let weight = step.texture * self.weight;
-            self.guidance_loss = guidance.guide(&self.coverage, &self.guided, weight, &mut self.d_coverage);
-        }
-        self.raster.backward(&self.d_coverage, &mut self.d_vertices);
+        d_seen.copy_from_slice(d_coverage);
+    }
+
+    /// All the way back.
+    fn pull_back(&mut self, samples: &[[f32; 4]]) {
+        self.raster.backward(&self.seen.d_coverage, &mut self.d_vertices);
         self.project_vjp(samples);
     }
 }
@@ -143,6 +121,10 @@ pub struct CpuEngine {
     d_points_image: Vec<[f32; 4]>,
     d_points: Vec<[f32; 4]>,
     why: Option<String>,
+    texture: Option<TextureGuidance>,
+    guides: Guides,
+    /// What guidance is shown: room for all that views have seen.
+    shown: Vec<Rendered>,
     /// The views of the coming iterations, where they are others than now.
     ahead: VecDeque<Vec<SceneView>>,
 }
@@ -154,6 +136,13 @@ struct Curve {
     jerk: Jerk<f32>,
     planes: Vec<[f32; 4]>,
     strand: Option<Strand>,
+}
+
+/// The weighted losses of what guides.
+#[derive(Default)]
+struct Guided {
+    texture: f32,
+    others: f32,
 }
 
 /// The wire as a thing that bends and takes room, with its buffers.
@@ -207,14 +196,59 @@ impl CpuEngine {
         CpuEngine { why: Some(why.into()), ..Self::default() }
     }
 
-    /// [`Engine::evaluate`], done when it returns.
+    /// [`Engine::evaluate`], done when it returns: waits for whatever guides.
     pub fn evaluate_now(&mut self, points: &[[f32; 4]], step: &Step, terms: &mut [f32], d_points: &mut Vec<[f32; 4]>) {
-        let Some(Curve { sampling, strokes, jerk, planes, strand }) = &mut self.scene else { return };
-        let strokes = &*strokes;
+        wait(self.evaluate_async(points, step, terms, d_points));
+    }
+
+    async fn evaluate_async(
+        &mut self,
+        points: &[[f32; 4]],
+        step: &Step,
+        terms: &mut [f32],
+        d_points: &mut Vec<[f32; 4]>,
+    ) {
+        let Some(Curve { sampling, strokes, .. }) = &self.scene else { return };
+        let guided = (self.texture.is_some() && step.texture > 0.0) || !self.guides.is_empty();
         sampling.apply(points, &mut self.samples);
         let samples = &self.samples;
-        parallel::each_mut(&mut self.views, 2, |_, view| view.evaluate(samples, strokes, step));
+        parallel::each_mut(&mut self.views, 2, |_, view| {
+            view.draw(samples, strokes, step);
+            if !guided {
+                view.pull_back(samples);
+            }
+        });
+        let guided = if guided { self.guide(step).await } else { Guided::default() };
+        self.add_up(points, step, &guided, terms, d_points);
+    }
 
+    /// Asks everything that looks at the views beside the comparison, and goes all the way back.
+    async fn guide(&mut self, step: &Step) -> Guided {
+        let CpuEngine { views, shown, texture, guides, samples, .. } = self;
+        shown.extend(views.iter_mut().map(|view| std::mem::take(&mut view.seen)));
+        let mut guided = Guided::default();
+        if let Some(texture) = texture.as_mut().filter(|_| step.texture > 0.0) {
+            shown.iter_mut().for_each(Rendered::clear_gradient);
+            guided.texture = step.texture * texture.guide_now(shown);
+            shown.iter_mut().for_each(|view| view.pull(step.texture));
+        }
+        guided.others = guides.guide(shown, step.progress).await;
+        views.iter_mut().zip(shown.drain(..)).for_each(|(view, seen)| view.seen = seen);
+        parallel::each_mut(views, 2, |_, view| view.pull_back(samples));
+        guided
+    }
+
+    /// All that does not look at views, and the sums.
+    fn add_up(
+        &mut self,
+        points: &[[f32; 4]],
+        step: &Step,
+        guided: &Guided,
+        terms: &mut [f32],
+        d_points: &mut Vec<[f32; 4]>,
+    ) {
+        let Some(Curve { sampling, strokes, jerk, planes, strand }) = &mut self.scene else { return };
+        let (samples, strokes) = (&self.samples, &*strokes);
         self.d_samples.clear();
         self.d_samples.resize(samples.len(), [0.0; 4]);
         for view in &self.views {
@@ -241,7 +275,6 @@ impl CpuEngine {
         let jerk = jerk.energy_and_gradient(points, step.jerk_position, step.jerk_width, d_points);
         let strand = strand.as_mut().map_or([0.0; 4], |strand| strand.evaluate(points, step, d_points));
         let [bending, tightness, evenness, clearance] = strand;
-        let texture = self.views.iter().map(|view| view.guidance_loss).sum();
 
         let count = self.views.len();
         for (term, view) in terms[1..].iter_mut().zip(&self.views) {
@@ -251,12 +284,25 @@ impl CpuEngine {
         set(Term::Jerk, jerk);
         set(Term::Length, length);
         set(Term::Surface, surface);
-        set(Term::Texture, texture);
+        set(Term::Texture, guided.texture);
+        set(Term::Guidance, guided.others);
         set(Term::Bending, bending);
         set(Term::Tightness, tightness);
         set(Term::Evenness, evenness);
         set(Term::Clearance, clearance);
         terms[0] = terms[1..].iter().sum();
+    }
+
+    async fn advance_async(&mut self, state: &mut State, tally: &mut Tally, steps: &[Step], terms: &mut [f32]) {
+        let row = terms.len() / steps.len().max(1);
+        let mut d_points = std::mem::take(&mut self.d_points);
+        for (step, terms) in steps.iter().zip(terms.chunks_exact_mut(row.max(1))) {
+            self.evaluate_async(&state.points, step, terms, &mut d_points).await;
+            tally.note(step, &state.points, terms, &self.d_points_image);
+            state.step(step, &d_points);
+            self.look();
+        }
+        self.d_points = d_points;
     }
 
     /// Turns to the next views, if there are any.
@@ -274,11 +320,14 @@ impl CpuEngine {
 
 impl Engine for CpuEngine {
     fn load(&mut self, scene: Scene) -> Work<'_> {
-        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes, texture, nodes, neighbours } = scene;
-        let engine = |view| ViewEngine::new(view, raster, pyramid, texture.as_deref());
+        let Scene { sampling, strokes, jerk, views, raster, pyramid, planes, texture, guides, nodes, neighbours } =
+            scene;
+        let engine = |view| ViewEngine::new(view, raster, pyramid);
         self.views = views.into_iter().map(engine).collect();
         let strand = nodes.map(|nodes| Strand::new(nodes, neighbours));
         self.scene = Some(Curve { sampling, strokes, jerk, planes, strand });
+        (self.texture, self.guides) = (texture.map(TextureGuidance::new), guides);
+        self.shown.clear();
         self.ahead.clear();
         Work::Done(())
     }
@@ -312,8 +361,10 @@ impl Engine for CpuEngine {
         terms: &'a mut [f32],
         d_points: &'a mut Vec<[f32; 4]>,
     ) -> Work<'a> {
-        self.evaluate_now(points, step, terms, d_points);
-        Work::Done(())
+        match self.guides.is_empty() {
+            true => Work::Done(self.evaluate_now(points, step, terms, d_points)),
+            false => Work::later(self.evaluate_async(points, step, terms, d_points)),
+        }
     }
 
     fn advance<'a>(
@@ -323,16 +374,10 @@ impl Engine for CpuEngine {
         steps: &'a [Step],
         terms: &'a mut [f32],
     ) -> Work<'a> {
-        let row = terms.len() / steps.len().max(1);
-        let mut d_points = std::mem::take(&mut self.d_points);
-        for (step, terms) in steps.iter().zip(terms.chunks_exact_mut(row.max(1))) {
-            self.evaluate_now(&state.points, step, terms, &mut d_points);
-            tally.note(step, &state.points, terms, &self.d_points_image);
-            state.step(step, &d_points);
-            self.look();
+        match self.guides.is_empty() {
+            true => Work::Done(wait(self.advance_async(state, tally, steps, terms))),
+            false => Work::later(self.advance_async(state, tally, steps, terms)),
         }
-        self.d_points = d_points;
-        Work::Done(())
     }
 
     fn fetch(&mut self, _: Picture) -> Work<'_> {
@@ -341,8 +386,8 @@ impl Engine for CpuEngine {
 
     fn picture(&self, picture: Picture, view: usize) -> &[f32] {
         match picture {
-            Picture::Coverage => &self.views[view].coverage,
-            Picture::DCoverage => &self.views[view].d_coverage,
+            Picture::Coverage => &self.views[view].seen.coverage,
+            Picture::DCoverage => &self.views[view].seen.d_coverage,
         }
     }
 

@@ -7,7 +7,7 @@
 use super::term::{Term, views_of};
 use super::{Adam, AdamOptions, RasterKind, Work};
 use crate::Error;
-use crate::objective::{Clearance, Elastic, Neighbours, Pyramid, Texture};
+use crate::objective::{Clearance, Elastic, Guides, Neighbours, Progress, Pyramid, Texture};
 use crate::view::{Camera, Image, Occluder};
 use crate::wire::{Jerk, LinearMap, Nodes, Stroke, Wire};
 use std::sync::Arc;
@@ -53,6 +53,8 @@ pub struct Scene {
     pub planes: Vec<[f32; 4]>,
     /// What all views' textures should be like, if anything.
     pub texture: Option<Arc<Texture>>,
+    /// What else looks at the views.
+    pub guides: Guides,
     /// Where bending and clearance are measured; nowhere without.
     pub nodes: Option<Nodes<f32>>,
     /// Who of those may come too near whom.
@@ -73,6 +75,7 @@ impl Scene {
             pyramid,
             planes: Vec::new(),
             texture: None,
+            guides: Guides::default(),
             nodes: None,
             neighbours: Neighbours::default(),
         }
@@ -110,6 +113,10 @@ pub struct Step {
     pub clearance: Clearance<f32>,
     /// Whether its views are others than those of the iteration before: losses so far are no measure for it.
     pub new_views: bool,
+    /// Whether something guides that the comparison with targets knows nothing of.
+    pub guided: bool,
+    /// How far the fit is.
+    pub progress: Progress,
 }
 
 impl Step {
@@ -119,9 +126,9 @@ impl Step {
     }
 
     /// Whether the last wire is the best one: losses of pictures alone say little of a wire that is to be more than that,
-    /// or of one that is looked at from other sides every time.
+    /// or of one that is looked at from other sides every time, or with other eyes.
     pub fn keeps_last(&self) -> bool {
-        self.is_of_strand() || self.new_views
+        self.is_of_strand() || self.new_views || self.guided
     }
 }
 

@@ -72,6 +72,7 @@ impl Session {
             pyramid: self.problem.recipe.pyramid,
             planes: self.planes(),
             texture: self.problem.texture.clone(),
+            guides: self.guides.clone(),
             nodes: self.nodes(),
             neighbours: self.neighbours(),
             ..Scene::new(&self.wire, stage.samples_per_span, views)

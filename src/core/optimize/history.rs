@@ -24,6 +24,8 @@ pub enum EventKind {
     Undone,
     /// The run is complete; the count is that of its iterations.
     Done,
+    /// What guided failed and was switched off; the count says how many so far.
+    Unguided,
 }
 
 /// Something that happened before the iteration of that number.
@@ -91,6 +93,22 @@ impl History {
 
     pub(super) fn push(&mut self, terms: &[f32]) {
         self.values.extend(terms.iter().map(|&term| if term.is_finite() { term } else { 0.0 }));
+    }
+
+    /// With the columns that have come since it was written.
+    pub(super) fn completed(mut self) -> Self {
+        let known = self.columns.len();
+        let missing = Term::ALL
+            .map(Term::name)
+            .into_iter()
+            .filter(|name| !self.columns[1.min(known)..].iter().any(|c| c == name));
+        let missing: Vec<_> = missing.map(str::to_owned).collect();
+        if !missing.is_empty() && known > 0 {
+            let zeros = vec![0.0; missing.len()];
+            self.values = self.values.chunks(known).flat_map(|row| [row, &zeros].concat()).collect();
+            self.columns.extend(missing);
+        }
+        self
     }
 
     pub(super) fn is_valid(&self, views: usize) -> bool {

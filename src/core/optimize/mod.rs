@@ -16,8 +16,8 @@ mod session;
 mod smooth;
 mod term;
 mod topology;
-mod work;
 
+pub use crate::work::{Work, wait};
 pub use adam::{Adam, AdamOptions, SecondMoment};
 pub use bending::Bending;
 pub use checkpoint::Checkpoint;
@@ -33,4 +33,3 @@ pub use session::Session;
 pub use smooth::Smooth;
 pub use term::{Term, term_count};
 pub use topology::{Moment, Refine, Respace, Thin, TopologyEdit, TopologyEvent};
-pub use work::{Work, wait};

@@ -7,12 +7,12 @@ use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::term::term_count;
 use super::topology::TopologyEdit;
-use super::work::wait;
 use super::{CpuEngine, Problem, Seen, Stage};
-use crate::objective::{Displacement, bend_ink};
+use crate::objective::{Displacement, Guidance, Guides, Progress, bend_ink};
 use crate::rng::Rng;
 use crate::view::Image;
 use crate::wire::{Form, MAX_COORDINATE, Wire};
+use crate::work::wait;
 use crate::{Error, Result};
 use std::collections::VecDeque;
 
@@ -83,6 +83,9 @@ pub struct Session {
     pub(super) unseen: bool,
     /// What is to be seen after each iteration to come, as far as it is something else.
     pub(super) ahead: VecDeque<Seen>,
+    pub(super) guides: Guides,
+    /// How many of those have been found to fail.
+    failed: usize,
 }
 
 impl Session {
@@ -139,6 +142,8 @@ impl Session {
             loaded: false,
             unseen: false,
             ahead: VecDeque::new(),
+            guides: Guides::default(),
+            failed: 0,
             px_256: problem.world_per_px(256.0),
             problem,
         })
@@ -192,6 +197,24 @@ impl Session {
     /// Why the engine no longer computes where it was asked to, if so.
     pub fn engine_trouble(&self) -> Option<&Error> {
         self.engine.trouble()
+    }
+
+    /// `weight` (from 0) times the loss of `guidance` joins the loss from the next iteration on, in place of what has that
+    /// name. It is no part of the problem or of a checkpoint: who resumes a session says again what guides it.
+    pub fn guide_by(&mut self, name: &str, weight: f32, guidance: Box<dyn Guidance>) {
+        self.guides.set(name, weight, guidance);
+        self.failed = self.guides.troubles().len();
+    }
+
+    /// Goes on without the guidance of that name.
+    pub fn stop_guiding(&mut self, name: &str) {
+        self.guides.remove(name);
+        self.failed = self.guides.troubles().len();
+    }
+
+    /// What was to guide and failed, by name, and why: from then on the session went on without it.
+    pub fn guidance_troubles(&self) -> Vec<(String, Error)> {
+        self.guides.troubles()
     }
 
     /// View `view` as last drawn, at the size that is fitted; blank before the first iteration. Waits as [`Session::step`].
@@ -356,6 +379,11 @@ impl Session {
             state.is_finite() && state.points.iter().flatten().all(|c| f64::from(c.abs()) <= MAX_COORDINATE)
         };
         self.iteration = iterations.end;
+        let failed = self.guides.troubles().len();
+        if failed > self.failed {
+            self.failed = failed;
+            self.record(EventKind::Unguided, failed);
+        }
         self.unseen |= !self.is_foreseen();
         (0..batch).for_each(|_| self.look());
         if !self.terms.iter().all(|term| term.is_finite()) || !usable(&self.state) {
@@ -385,6 +413,8 @@ impl Session {
         let width = (recipe.width_rate_px.at(progress) * factor) as f32;
         Step {
             new_views: false,
+            guided: !self.guides.is_empty(),
+            progress: Progress { iteration: i, iterations: self.total() },
             rates: [position, position, position, width],
             adam: recipe.adam,
             level_ratio: recipe.level_ratio.at(progress) as f32,

@@ -19,11 +19,13 @@ pub enum Term {
     Evenness,
     /// Strands too near each other.
     Clearance,
+    /// Whatever else guides: networks, functions of one's own.
+    Guidance,
 }
 
 impl Term {
     /// All, in the order of a row.
-    pub const ALL: [Term; 8] = [
+    pub const ALL: [Term; 9] = [
         Term::Jerk,
         Term::Length,
         Term::Surface,
@@ -32,6 +34,7 @@ impl Term {
         Term::Tightness,
         Term::Evenness,
         Term::Clearance,
+        Term::Guidance,
     ];
 
     /// Its name in `loss.csv`, and in capitals in shaders.
@@ -45,6 +48,7 @@ impl Term {
             Term::Tightness => "tightness",
             Term::Evenness => "evenness",
             Term::Clearance => "clearance",
+            Term::Guidance => "guidance",
         }
     }
 

@@ -122,7 +122,7 @@ impl View {
 /// let [x_px, y_px, radius_px] = camera.project(&[0.0, 0.5, 0.0, 0.2]);
 /// assert_eq!([x_px, y_px, radius_px].map(|px| (1e6 * px).round() / 1e6), [50.0, 25.0, 5.0]);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Camera<R> {
     /// From world to the picture's right, in world units.
     pub right: [R; 4],

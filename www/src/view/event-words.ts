@@ -21,5 +21,7 @@ export function eventWords({ kind, count }: RunEvent): string {
       return "A step went wrong and was taken back; smaller steps from here";
     case "done":
       return "Done";
+    case "unguided":
+      return "What guided the wire failed; it goes on without";
   }
 }

@@ -4,8 +4,11 @@ use super::features::{DIRECTIONS, FEATURES, Features};
 use super::jet::REACH;
 use super::statistics::{Statistics, Survey};
 use super::{Level as Wanted, Texture};
-use crate::objective::Guidance;
+use crate::objective::{Guidance, Progress, Rendered};
 use crate::wire::Real;
+use crate::work::Work;
+use crate::{Result, parallel};
+use std::sync::Arc;
 
 /// The shortest side of a level that has room for filters and shifts.
 pub const LEAST_PX: usize = 2 * REACH + 16;
@@ -138,15 +141,59 @@ impl<R: Real> TextureLoss<R> {
             let (below, above) = (&mut below[f - 1], &above[0]);
             spread(&above.d_picture, above.width, &mut below.d_picture, below.width);
         }
-        (loss, &self.tower.floors[0].d_picture)
+        (loss, self.gradient())
+    }
+
+    /// As last evaluated.
+    fn gradient(&self) -> &[R] {
+        &self.tower.floors[0].d_picture
+    }
+
+    /// Whether it is for pictures of that width and so many pixels.
+    fn fits(&self, width: usize, pixels: usize) -> bool {
+        let floor = &self.tower.floors[0];
+        (floor.width, floor.picture.len()) == (width, pixels)
     }
 }
 
-impl Guidance for TextureLoss<f32> {
-    fn guide(&mut self, coverage: &[f32], weights: &[f32], weight: f32, d_coverage: &mut [f32]) -> f32 {
-        let (loss, gradient) = self.evaluate(coverage, weights, weight);
-        d_coverage.iter_mut().zip(gradient).for_each(|(sum, &d)| *sum += d);
-        loss
+/// All views' textures against one, each by its view's weight.
+#[derive(Debug, Clone)]
+pub struct TextureGuidance {
+    texture: Arc<Texture>,
+    /// One a view.
+    losses: Vec<(TextureLoss<f32>, f32)>,
+}
+
+impl TextureGuidance {
+    /// Asks for that texture.
+    pub fn new(texture: Arc<Texture>) -> TextureGuidance {
+        TextureGuidance { texture, losses: Vec::new() }
+    }
+
+    /// [`Guidance::guide`], done when it returns.
+    pub fn guide_now(&mut self, views: &mut [Rendered]) -> f32 {
+        let TextureGuidance { texture, losses } = self;
+        let fits =
+            |((loss, _), view): (&(TextureLoss<f32>, f32), &Rendered)| loss.fits(view.width, view.coverage.len());
+        if losses.len() != views.len() || !losses.iter().zip(&*views).all(fits) {
+            let new = |view: &Rendered| (TextureLoss::new(texture, view.width, view.height), 0.0);
+            *losses = views.iter().map(new).collect();
+        }
+        let shown = &*views;
+        parallel::each_mut(losses, 2, |v, (loss, value)| {
+            let Rendered { coverage, counts, weight, .. } = &shown[v];
+            *value = loss.evaluate(coverage, counts, *weight).0;
+        });
+        for ((loss, _), view) in losses.iter().zip(&mut *views) {
+            view.gradient.copy_from_slice(loss.gradient());
+        }
+        losses.iter().map(|(_, value)| value).sum()
+    }
+}
+
+impl Guidance for TextureGuidance {
+    fn guide<'a>(&'a mut self, views: &'a mut [Rendered], _: Progress) -> Work<'a, Result<f32>> {
+        Work::Done(Ok(self.guide_now(views)))
     }
 }
 
@@ -179,7 +226,7 @@ mod tests {
     use super::super::{TextureOptions, crop_weights};
     use super::*;
     use crate::rng::Rng;
-    use crate::view::Image;
+    use crate::view::{Image, View};
 
     fn random(width: usize, height: usize, stream: u64) -> Image {
         let mut rng = Rng::new(5, stream);
@@ -261,14 +308,25 @@ mod tests {
     }
 
     #[test]
-    fn guidance_adds_to_the_gradient() {
+    fn guidance_looks_at_each_view_by_its_weight_and_size() {
         let texture = Texture::of("style", &random(96, 96, 1), &TextureOptions::default()).unwrap();
-        let picture = random(64, 64, 2).data;
-        let ones = vec![1.0; picture.len()];
-        let mut loss = TextureLoss::<f32>::new(&texture, 64, 64);
-        let mut sum = ones.clone();
-        let guided = loss.guide(&picture, &ones, 0.5, &mut sum);
-        let (value, gradient) = loss.evaluate(&picture, &ones, 0.5);
-        assert!(value > 0.0 && guided == value && sum.iter().zip(gradient).all(|(sum, d)| *sum == 1.0 + d));
+        let mut guidance = TextureGuidance::new(Arc::new(texture.clone()));
+        let [front, side, _] = View::canonical(2.2, 64).map(|view| view.camera());
+        for (width, height) in [(64, 64), (80, 64)] {
+            let mut views = [Rendered::new(front, width, height, 0.5), Rendered::new(side, 64, height, 2.0)];
+            for (v, view) in views.iter_mut().enumerate() {
+                view.coverage = random(view.width, height, 2 + v as u64).data;
+                view.clear_gradient();
+            }
+            let guided = guidance.guide_now(&mut views);
+            let mut sum = 0.0;
+            for Rendered { width, height, coverage, counts, weight, gradient, .. } in &views {
+                let mut loss = TextureLoss::<f32>::new(&texture, *width, *height);
+                let (value, d) = loss.evaluate(coverage, counts, *weight);
+                sum += value;
+                assert!(value > 0.0 && d == gradient);
+            }
+            assert_eq!(guided, sum);
+        }
     }
 }

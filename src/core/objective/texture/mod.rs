@@ -16,7 +16,7 @@ pub mod packed;
 mod statistics;
 
 pub use crops::crop_weights;
-pub use loss::TextureLoss;
+pub use loss::{TextureGuidance, TextureLoss};
 
 use crate::view::Image;
 use crate::{Error, Result};

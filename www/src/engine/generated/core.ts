@@ -60,7 +60,7 @@ export type Event = {
 };
 
 /** What kind of thing happened. */
-export type EventKind = "stage" | "restart" | "reinit" | "refine" | "respace" | "thin" | "undone" | "done";
+export type EventKind = "stage" | "restart" | "reinit" | "refine" | "respace" | "thin" | "undone" | "done" | "unguided";
 
 /** Where a wire fails, world units: a place for every stretch that does. */
 export type Faults = {
