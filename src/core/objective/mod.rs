@@ -6,7 +6,6 @@ mod elastic;
 mod guidance;
 mod multiscale_mse;
 mod net;
-mod patches;
 mod regularisers;
 mod straight;
 mod surface;
@@ -15,9 +14,11 @@ mod warp;
 
 pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradient};
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
-pub use guidance::{Guidance, Guides, Progress, Rendered};
+pub use guidance::{
+    Aim, Answer, Batch, Guidance, Guides, Learned, Look, Member, Network, PICTURE_WEIGHT, Patch, Progress, Rendered,
+    WORDS_WEIGHT, similarity,
+};
 pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};
-pub use patches::{Look, Patch};
 pub use regularisers::length_and_gradient;
 pub use surface::surface_and_gradient;
 #[cfg(feature = "gpu")]

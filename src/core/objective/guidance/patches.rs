@@ -30,6 +30,12 @@ impl Patch {
         Patch::square((width as f32 - side) / 2.0, (height as f32 - side) / 2.0, side)
     }
 
+    /// The same part of a picture that is `factor` times as wide.
+    pub fn scaled(&self, factor: f32) -> Patch {
+        let scaled = |vector: [f32; 2]| vector.map(|value| value * factor);
+        Patch { corner: scaled(self.corner), across: scaled(self.across), down: scaled(self.down) }
+    }
+
     /// Draws `ink`, 0 to 1 row by row and `width` wide, into `image`: `[3, size, size]`, rows from the top, 1 where paper is
     /// blank and 0 where it is covered, equal in all channels.
     pub fn draw(&self, ink: &[f32], width: usize, size: usize, image: &mut [f32]) {
