@@ -25,8 +25,9 @@ const ORDER: &[&str] = &[
     "export",
     "settings",
     "tasks",
-    // A crate beside all of these: it uses the core alone, and of them only the command line knows it.
+    // Crates beside all of these: they use the core alone, and of them only the command line knows them.
     "model",
+    "guidance",
 ];
 
 fn level(room: &str) -> Option<usize> {

@@ -42,7 +42,7 @@ impl Aim {
     pub fn between(neutral: &[f32], words: &[f32], from: Image) -> Result<Aim> {
         let mut towards: Vec<f32> = words.iter().zip(neutral).map(|(words, neutral)| words - neutral).collect();
         let length = towards.iter().map(|value| value * value).sum::<f32>().sqrt();
-        if !(length > 1e-4) {
+        if length.is_nan() || length <= 1e-4 {
             return Err(Error::setting("words", "are where the neutral words are", "give other words"));
         }
         towards.iter_mut().for_each(|value| *value /= length);

@@ -1,0 +1,21 @@
+//! Networks that say what a wire should look like, as `tools/guidance` writes them: an ONNX graph that gives a loss and its
+//! gradient, and a sidecar that says what it is. Here such files are read, none of them trusted, and run on the processor.
+//!
+//! It is a crate of its own so that nobody who uses the library compiles what runs networks: the command line does.
+
+mod adapt;
+mod graph;
+mod network;
+mod noise;
+mod protobuf;
+mod selftest;
+mod sidecar;
+mod text;
+mod words;
+
+#[cfg(test)]
+mod testing;
+
+pub use network::{Facts, OnnxNetwork};
+pub use text::TextEncoder;
+pub use words::{Dictionary, WordTable};
