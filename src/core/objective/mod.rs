@@ -14,7 +14,10 @@ mod warp;
 
 pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradient};
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
-pub use guidance::{Guidance, Guides, Progress, Rendered};
+pub use guidance::{
+    Aim, Answer, Batch, Guidance, Guides, Learned, Look, Member, Network, PICTURE_WEIGHT, Patch, Progress, Rendered,
+    WORDS_WEIGHT, similarity,
+};
 pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;
 pub use surface::surface_and_gradient;

@@ -46,8 +46,14 @@
 //! ```
 
 mod guides;
+mod learned;
+mod network;
+mod patches;
 
 pub use guides::Guides;
+pub use learned::{Aim, Learned, Member, PICTURE_WEIGHT, WORDS_WEIGHT};
+pub use network::{Answer, Batch, Network, similarity};
+pub use patches::{Look, Patch};
 
 use crate::Result;
 use crate::view::{Camera, Image};
