@@ -1,6 +1,6 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
-use crate::guidance::{Asks, GuidanceFunction};
+use crate::guidance::{Asks, GuidanceFunction, Networks, Vectors, by_words};
 use crate::made::{Made, WireData};
 use crate::pictures::{DrawingSet, Ink, ViewTarget};
 use crate::subject::Subject;
@@ -191,6 +191,20 @@ impl Run {
     #[wasm_bindgen(js_name = setGuidance)]
     pub fn set_guidance(&mut self, name: &str, weight: f32, guidance: GuidanceFunction) {
         self.0.guide_by(name, weight, Box::new(Asks::new(guidance)));
+    }
+
+    /// [`Run::set_guidance`] by networks that know words: each view becomes like the words of its vector.
+    #[wasm_bindgen(js_name = guideByWords)]
+    pub fn guide_by_words(
+        &mut self,
+        name: &str,
+        weight: f32,
+        networks: Networks,
+        vectors: Vectors,
+    ) -> Result<(), JsError> {
+        let learned = by_words(networks, vectors, self.0.settings().seed)?;
+        self.0.guide_by(name, weight, Box::new(learned));
+        Ok(())
     }
 
     /// Goes on without the guidance of that name.
