@@ -1,5 +1,6 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
+use crate::guidance::{Asks, GuidanceFunction, Networks, Vectors, by_words};
 use crate::made::{Made, WireData};
 use crate::pictures::{DrawingSet, Ink, ViewTarget};
 use crate::subject::Subject;
@@ -170,6 +171,52 @@ impl Run {
             events.extend(self.0.step_async(at_once).await?);
         }
         Ok(json(&events))
+    }
+
+    /// `weight` (from 0) times the loss of `guidance` joins the loss from the next iteration on, in place of what has that
+    /// name. Neither settings nor checkpoints keep it: who resumes a run sets it again.
+    ///
+    /// ```js
+    /// // As much ink in every picture as there is in a tenth of it.
+    /// run.setGuidance("a tenth", 10, async (images, { iteration, iterations }) => {
+    ///   let loss = 0;
+    ///   const grad = images.map(({ ink }) => {
+    ///     const off = ink.reduce((sum, value) => sum + value, 0) / ink.length - 0.1;
+    ///     loss += off * off;
+    ///     return new Float32Array(ink.length).fill((2 * off) / ink.length);
+    ///   });
+    ///   return { loss, grad };
+    /// });
+    /// ```
+    #[wasm_bindgen(js_name = setGuidance)]
+    pub fn set_guidance(&mut self, name: &str, weight: f32, guidance: GuidanceFunction) {
+        self.0.guide_by(name, weight, Box::new(Asks::new(guidance)));
+    }
+
+    /// [`Run::set_guidance`] by networks that know words: each view becomes like the words of its vector.
+    #[wasm_bindgen(js_name = guideByWords)]
+    pub fn guide_by_words(
+        &mut self,
+        name: &str,
+        weight: f32,
+        networks: Networks,
+        vectors: Vectors,
+    ) -> Result<(), JsError> {
+        let learned = by_words(networks, vectors, self.0.settings().seed)?;
+        self.0.guide_by(name, weight, Box::new(learned));
+        Ok(())
+    }
+
+    /// Goes on without the guidance of that name.
+    #[wasm_bindgen(js_name = stopGuidance)]
+    pub fn stop_guidance(&mut self, name: &str) {
+        self.0.stop_guiding(name);
+    }
+
+    /// Why what was to guide no longer does: a sentence each.
+    #[wasm_bindgen(js_name = guidanceTroubles)]
+    pub fn guidance_troubles(&self) -> Vec<String> {
+        self.session().guidance_troubles().into_iter().map(|(_, error)| error.to_string()).collect()
     }
 
     /// Where the fit is computed now, and why, as JSON: see [`crate::place`].

@@ -34,11 +34,13 @@
 //! let mut problem = Problem::for_drawings(wire, vec![target], recipe);
 //! problem.view_weights = vec![0.0];
 //! let mut session = Session::new(problem)?;
-//! session.guide_by("left", 1.0, Box::new(Left(0.2)));
+//! session.guide_by("left", 10.0, Box::new(Left(0.06)));
 //! session.step(usize::MAX);
 //! let shown = session.coverage(0);
-//! let left: f32 = shown.data.chunks(32).map(|row| row[..16].iter().sum::<f32>()).sum::<f32>() / 512.0;
-//! assert!((left - 0.2).abs() < 0.03, "{left}");
+//! let half = shown.width / 2;
+//! let left: f32 = shown.data.chunks(shown.width).flat_map(|row| &row[..half]).sum();
+//! let share = left / (half * shown.height) as f32;
+//! assert!((share - 0.06).abs() < 0.006, "{share}");
 //! # Ok(())
 //! # }
 //! ```

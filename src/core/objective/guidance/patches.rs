@@ -118,6 +118,9 @@ pub enum Look {
 }
 
 impl Look {
+    /// For words: what is seen in all of four such views of a picture is no accident of its pixels.
+    pub const WORDS: Look = Look::Affine { count: 4, turn: 0.2, scale: 0.8, shift: 0.08 };
+
     /// The patches of a view in one iteration; the same for the same seed, iteration and view.
     pub fn patches(self, width: usize, height: usize, seed: u64, iteration: usize, view: usize) -> Vec<Patch> {
         let mut rng = Rng::new(seed, (iteration as u64) << 16 | view as u64);
