@@ -101,7 +101,12 @@ async function ask(session: Session, { contract }: Sidecar, asked: Readonly<Reco
   const [batch] = batches;
   if (batches.some((other) => other !== batch)) fail(`was given inputs of different batches (${batches.join(", ")}).`);
   const shapes = Object.fromEntries(contract.inputs.map(({ name, shape }) => [name, sized(shape, batch!)]));
-  return session.run(Object.fromEntries(contract.inputs.map(({ name }) => [name, asked[name]!])), shapes);
+  const answers = await session.run(Object.fromEntries(contract.inputs.map(({ name }) => [name, asked[name]!])), shapes);
+  for (const { name, shape } of contract.outputs) {
+    const [given, wanted] = [answers[name]?.length, count(shape, batch!)];
+    if (given !== wanted) fail(`answered ${given} numbers as ${name}, where there should be ${wanted}. Export it again with tools/guidance.`);
+  }
+  return answers;
 }
 
 /**

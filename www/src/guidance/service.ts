@@ -62,6 +62,10 @@ async function openNow(source: Source, prefer: Provider, keep: boolean, progress
   signal.throwIfAborted();
   const { file, sidecar, texts, bytes: read, isKept } = await find(source);
   const tokenizer = texts.tokenizer === null ? null : new Tokenizer(texts.tokenizer, sidecar.tokenizer ?? file);
+  const context = sidecar.contract.inputs[0]!.shape[1];
+  if (tokenizer && tokenizer.context !== context) {
+    throw new GuidanceError(file, `The tokenizer of “${file}” makes ${tokenizer.context} tokens of a text, and it takes ${context}: it is another model's. Choose the one that was exported with it.`);
+  }
   refuseTooLarge(file, sidecar);
   // Its memory is wanted.
   await close(sidecar.kind);
