@@ -27,6 +27,7 @@ const ROOMS: readonly string[] = [
   "view",
   "ui/shared",
   "ui/settings",
+  "ui/guidance",
   "ui/stage",
   "ui/run",
   "ui/save",

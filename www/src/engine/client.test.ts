@@ -39,7 +39,7 @@ afterEach(() => {
 
 it("ends a run, and asks a fresh worker what else was asked", async () => {
   const settings = client.call("settings", { tasks: [] });
-  const run = client.callEndable("run", { task: "knit", work: null, settings: {}, from: null });
+  const run = client.callEndable("run", { task: "knit", work: null, settings: {}, from: null, guide: null });
   const open = client.call("open", { code: "AB" });
   const first = worker();
   client.cancel();

@@ -1,6 +1,7 @@
 /** The main wasm module in the page's own words: what tasks share of it. Only for the worker. */
 
 import type { WireShape } from "../embed/shape";
+import type { GuidanceNetwork } from "./wasm/wire4d";
 import type { Backend, ExportArguments, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
@@ -23,6 +24,10 @@ export interface CoreRun {
   frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
   snapshot(): Snapshot & { readonly wire: OwnShape };
   targets(): Target[];
+  /** `weight` times the loss of `networks`, for each of which `vectors` has a unit vector a view, or null. */
+  guideByWords(weight: number, networks: readonly GuidanceNetwork[], vectors: readonly (readonly (Float32Array | null)[])[]): void;
+  /** Why what was to guide no longer does: a sentence each. */
+  troubles(): readonly string[];
   /** The best wire so far, measured. */
   finish(): Finished;
   free(): void;
@@ -87,6 +92,8 @@ export function pulled(run: wasm.Run): CoreRun {
     frame,
     snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),
+    guideByWords: (weight, networks, vectors) => run.guideByWords("words", weight, networks, vectors),
+    troubles: () => run.guidanceTroubles(),
     finish: () => taken(run.finish(), finished),
     free: () => run.free(),
   };

@@ -162,6 +162,16 @@ export interface ExportArguments {
   readonly view: string;
 }
 
+/** Words that guide a run beside its pictures. */
+export interface Guide {
+  /** By the view's name; a view without is not guided. */
+  readonly words: Readonly<Record<string, string>>;
+  /** Against the pictures' own loss, from 0. */
+  readonly weight: number;
+  /** Whose idea of the words counts: `icons` for the small networks that come with the page, or the sha256 of a file of one. */
+  readonly by: string;
+}
+
 /** What the page can ask for: arguments and answer by name. A task adds its own, in its folder. */
 export interface Calls {
   /** Of these tasks. */
@@ -169,7 +179,7 @@ export interface Calls {
   /** Where a run with this setting would be computed; refused with a sentence if that cannot be. May take a second or two. */
   place: { arguments: { backend: Backend }; answer: Place };
   /** Answered when the run has ended by itself or was stopped. `work` is as the task's engine takes it, `from` a checkpoint of a run of the same. */
-  run: { arguments: { task: string; work: unknown; settings: SettingValues; from: Blob | null }; answer: Finished };
+  run: { arguments: { task: string; work: unknown; settings: SettingValues; from: Blob | null; guide: Guide | null }; answer: Finished };
   /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */
@@ -201,6 +211,8 @@ export type Control = { control: "pause" | "resume" | "step" | "stop" | "seen" }
 export type News =
   | { news: "progress"; words: string; share: number }
   | { news: "note"; words: string }
+  /** What a person should know of a run even when it is over. */
+  | { news: "notice"; words: string }
   /** Of what is asked before a run, and takes a while. */
   | { news: "share"; share: number }
   /** Of a network that is being opened. */

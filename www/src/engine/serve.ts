@@ -1,11 +1,11 @@
 /** Answers the page's calls, one worker a page. It keeps the run under way. */
 
 import { openShareCode } from "../embed/share/code";
-import { loaded } from "./core";
-import type { Answer, Calls, Control, Finished, News, Request } from "./protocol";
+import { loaded, type CoreRun } from "./core";
+import type { Answer, Calls, Control, Finished, Guide, News, Request } from "./protocol";
 import { Pull } from "./pull";
 import { sheetOf } from "./sheet";
-import type { Handlers, TaskEngine } from "./task-engine";
+import type { Ears, Handlers, TaskEngine } from "./task-engine";
 
 const CRASHED = "The engine stopped unexpectedly. What you gave it is still here; please try again.";
 
@@ -27,6 +27,19 @@ const handlers: Handlers = {
   guidanceShelf: async ({ drop }) => (await guidance()).kept(drop),
 };
 
+const notice = (words: string): void => tell({ news: "notice", words });
+
+/** Whatever is wrong with what was to guide it: the run goes on without. */
+async function guideBy(session: CoreRun, guide: Guide, told: Ears["tell"]): Promise<void> {
+  try {
+    const { guideByWords } = await import("./guiding");
+    await guideByWords(session, guide, told, notice);
+  } catch (error) {
+    console.error(error);
+    notice(`${error instanceof Error ? error.message : "What was to guide it could not be loaded."} The wire goes on without it.`);
+  }
+}
+
 /** Comes when somebody asks for it. */
 async function guidance(): Promise<typeof import("../guidance/service")> {
   try {
@@ -37,7 +50,7 @@ async function guidance(): Promise<typeof import("../guidance/service")> {
   }
 }
 
-async function run({ task, work, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {
+async function run({ task, work, settings, from, guide }: Calls["run"]["arguments"]): Promise<Finished> {
   if (pull) throw new Error("A run is under way already; stop it first.");
   // Made before the core is loaded: it hears a stop that comes meanwhile.
   const mine = (pull = new Pull(tell));
@@ -51,7 +64,9 @@ async function run({ task, work, settings, from }: Calls["run"]["arguments"]): P
     const session = await engine.start(work, settings, checkpoint, ears);
     try {
       tell({ news: "targets", targets: session.targets() });
+      if (guide) await guideBy(session, guide, ears.tell);
       await mine.toTheEnd(session, from !== null);
+      session.troubles().forEach(notice);
       tell({ news: "progress", words: "Measuring the wire…", share: 1 });
       return session.finish();
     } finally {

@@ -9,6 +9,7 @@ import { factsOf, openModel, type About, type Facts, type Model } from "./model"
 import type { Provider } from "./runtime";
 import { Shelf, type Kept, type Texts } from "./shelf";
 import { readSidecar, type Sidecar } from "./sidecar";
+import { networkOf, type Readers } from "./readers";
 import { Tokenizer } from "./tokenizer";
 
 /** Where a network is from: files as a person chose them, in any order; an .onnx of this site, with its .json beside it; the shelf. */
@@ -112,11 +113,21 @@ export async function kept(drop: string | null): Promise<Kept[]> {
   return shelf.list();
 }
 
-/** A model's positional form, as the core calls it: rows of pictures, and what they are held against. */
-export function guiding(model: Model<"guidance-v1">) {
-  return async (image: Asked["guidance-v1"]["image"], source: Float32Array<ArrayBuffer>, target: Float32Array<ArrayBuffer>, weight: Float32Array<ArrayBuffer>) => {
-    const { loss, ...rest } = await model.run({ image, source, target, weight });
-    return { ...rest, loss: loss[0]! };
+/** A network as a run is guided by it, opened if it is not: by prompts of its own file, or by an open text encoder. */
+export async function readers(sha256: string, progress: (share: number) => void): Promise<Readers> {
+  if (opened("guidance-v1")?.about.sha256 !== sha256) await open({ kept: sha256 }, "webgpu", false, (_, share) => progress(share));
+  const model = opened("guidance-v1");
+  if (!model) throw new GuidanceError("", "That network cannot guide. Choose another, or take the small one that comes with the page.");
+  const { embeddings } = model.sidecar;
+  const texts = models.get("text-v1");
+  return {
+    networks: [networkOf(model)],
+    async vector(words) {
+      const known = embeddings.find(({ prompt }) => prompt.toLowerCase() === words.toLowerCase());
+      if (known) return Float32Array.from(known.vector);
+      return texts ? (await texts.model.run({ ids: texts.tokenizer!.rows([words]) }) as Answers["text-v1"]).embedding : null;
+    },
+    instead: () => (embeddings.length ? `Its file knows: ${embeddings.map(({ prompt }) => prompt).slice(0, 8).join(", ")}.` : "Open the text network that belongs to it, too."),
   };
 }
 

@@ -37,9 +37,9 @@ it("reads what was kept before", () => {
     task: "fill",
     given: { multiview: { front: cat, side: null, top: null }, stroke: subject, fill: { mesh, style: "waves" } },
     desks: {
-      multiview: { settings: { preset: "fast" }, made: { ...PARTS.made, track: { ...track, task: "multiview", given: { front: null, side: cat, top: null } } }, loose: null },
-      stroke: { settings: { control_points: "80" }, made: { ...PARTS.stroke.made, track: { ...track, task: "stroke", given: subject } }, loose: null },
-      fill: { settings: {}, made: { ...PARTS.fill.made, track: { ...track, task: "fill", given: { mesh, style: null } } }, loose: null },
+      multiview: { settings: { preset: "fast" }, guide: null, made: { ...PARTS.made, track: { ...track, task: "multiview", given: { front: null, side: cat, top: null } } }, loose: null },
+      stroke: { settings: { control_points: "80" }, guide: null, made: { ...PARTS.stroke.made, track: { ...track, task: "stroke", given: subject } }, loose: null },
+      fill: { settings: {}, guide: null, made: { ...PARTS.fill.made, track: { ...track, task: "fill", given: { mesh, style: null } } }, loose: null },
     },
   });
 });
@@ -48,7 +48,7 @@ it("reads what was kept before there was a second task", () => {
   expect(docOf(before({ front: cat, side: cat, top: null, settings: { seed: "5" }, made: null }), FORMS)).toEqual({
     task: "multiview",
     given: { multiview: { front: cat, side: cat, top: null }, stroke: null, fill: null },
-    desks: { multiview: { settings: { seed: "5" }, made: null, loose: null } },
+    desks: { multiview: { settings: { seed: "5" }, guide: null, made: null, loose: null } },
   });
   expect(docOf(before({}), FORMS)).toBeNull();
 });

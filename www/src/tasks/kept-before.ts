@@ -49,7 +49,7 @@ export function runBefore(old: object): KeptRun {
 }
 
 function deskNow({ settings, made = null, loose = null }: OldDesk): Desk {
-  return { settings, made: madeNow(made), loose: madeNow(loose) };
+  return { settings, guide: null, made: madeNow(made), loose: madeNow(loose) };
 }
 
 function madeNow(made: OldMade | null): Made | null {

@@ -28,7 +28,7 @@ const look = (task: string): void => store.set({ doc: { ...store.get().doc, task
 
 beforeEach(() => {
   store = new Store<BaseState, StudioState>(firstState(TASKS), (base) => stateOf(base, TASKS));
-  store.set({ doc: { ...store.get().doc, desks: { knit: { settings: {}, made, loose: null } } } });
+  store.set({ doc: { ...store.get().doc, desks: { knit: { settings: {}, guide: null, made, loose: null } } } });
 });
 
 it("shows the wire that was made, and what belongs to it", () => {
@@ -43,7 +43,7 @@ it("looks back at a finished run as long as its wire is there", () => {
   store.set({ lookingBack: { made, index: 0 } });
   expect([store.get().looking, shown()]).toEqual([0, OLD]);
   const other = { ...made };
-  store.set({ doc: { ...store.get().doc, desks: { knit: { settings: {}, made: other, loose: null } } } });
+  store.set({ doc: { ...store.get().doc, desks: { knit: { settings: {}, guide: null, made: other, loose: null } } } });
   expect([store.get().looking, shown()]).toEqual([null, MADE]);
 });
 

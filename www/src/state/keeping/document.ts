@@ -1,6 +1,6 @@
 /** What a person makes on the page: everything that undo goes over and that is kept. */
 
-import type { Finished, SettingValues } from "../../engine/protocol";
+import type { Finished, Guide, SettingValues } from "../../engine/protocol";
 import type { Track } from "./track";
 
 export interface Doc {
@@ -16,6 +16,8 @@ export interface Doc {
 export interface Desk {
   /** What differs from the preset, and the preset itself if it is not `best`. */
   readonly settings: SettingValues;
+  /** Words that guide its runs beside the pictures; null where none do. */
+  readonly guide: Guide | null;
   /** The wire on the stage while nothing runs. */
   readonly made: Made | null;
   /** The same run with loose strokes, to compare `made` with. */
@@ -34,7 +36,7 @@ export interface Made {
   readonly seconds: number;
 }
 
-export const EMPTY_DESK: Desk = { settings: {}, made: null, loose: null };
+export const EMPTY_DESK: Desk = { settings: {}, guide: null, made: null, loose: null };
 
 /** Of the task that is looked at, or of another. */
 export const deskOf = (doc: Doc, task = doc.task): Desk => doc.desks[task] ?? EMPTY_DESK;

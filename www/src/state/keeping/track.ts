@@ -1,12 +1,14 @@
 /** What is remembered of a run: its losses, events, and a wire every few iterations. Immutable. */
 
-import type { Frame, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
+import type { Frame, Guide, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
 
 export interface Track {
   /** The task it is of, and what was given for that; only the task knows what it is. */
   readonly task: string;
   readonly given: unknown;
   readonly settings: SettingValues;
+  /** What guided it besides; nothing without. */
+  readonly guide?: Guide | null;
   /** Loose strokes, to be laid beside the wire on the stage and not to take its place. */
   readonly loose?: boolean;
   readonly iterations: number;
@@ -16,8 +18,8 @@ export interface Track {
   readonly snapshots: readonly Snapshot[];
 }
 
-export function freshTrack(task: string, given: unknown, settings: SettingValues): Track {
-  return { task, given, settings, iterations: 0, losses: [], events: [], snapshots: [] };
+export function freshTrack(task: string, given: unknown, settings: SettingValues, guide: Guide | null = null): Track {
+  return { task, given, settings, guide, iterations: 0, losses: [], events: [], snapshots: [] };
 }
 
 /** More losses than a curve of this many points can show are thinned out. */

@@ -39,7 +39,7 @@ beforeEach(() => {
     },
     wire: () => undefined,
     snapshot: () => undefined,
-    place: () => undefined,
+    place: () => undefined, notice: () => undefined,
   });
   tab = new HiddenTab(() => choice, { phase: () => state.phase, pauseOrGoOn: () => runner.pause() }, page as never);
 });

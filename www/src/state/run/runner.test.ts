@@ -46,6 +46,7 @@ beforeEach(() => {
     set: (change) => (state = { ...state, ...change }),
     wire: (wire) => (shown = wire.controlPoints[0]!),
     snapshot: () => undefined,
+      notice: () => undefined,
     place: (place) => (where = place.device),
   });
 });

@@ -15,6 +15,8 @@ export interface RunHooks {
   wire(wire: WireShape): void;
   snapshot(snapshot: Snapshot): void;
   place(place: Place): void;
+  /** What stays to be read when the run is over. */
+  notice(words: string): void;
 }
 
 /** Numbers that change more often than this cannot be read, and cost a slow page its breath. */
@@ -55,7 +57,7 @@ export class Runner {
       const work = await task.work(track.given);
       const decided = await Promise.race([calledOff, backend]);
       if (off || !decided) return null;
-      return await this.engine.callEndable("run", { task: track.task, work, settings: { ...track.settings, backend: decided }, from });
+      return await this.engine.callEndable("run", { task: track.task, work, settings: { ...track.settings, backend: decided }, from, guide: track.guide ?? null });
     } catch (error) {
       if (error instanceof Cancelled) return null;
       throw error;
@@ -127,6 +129,9 @@ export class Runner {
         break;
       case "note":
         this.hooks.set({ notes: [...notes, asSentence(news.words)] });
+        break;
+      case "notice":
+        this.hooks.notice(asSentence(news.words));
         break;
       case "place":
         this.hooks.place(news.place);

@@ -30,6 +30,7 @@ export class Runs {
       wire: form,
       snapshot: (snapshot) => project.addSnapshot(snapshot),
       place: (place) => this.placer.hear(place),
+      notice: (words) => store.set({ notices: [...store.get().notices, words] }),
     });
     engine.listen((news) => this.runner.hear(news));
   }
@@ -40,7 +41,7 @@ export class Runs {
     if (busy) return;
     const task = this.task(doc.task);
     const given = doc.given[task.name];
-    if (task.suffices(given, true)) await this.fit(freshTrack(task.name, given, deskOf(doc).settings));
+    if (task.suffices(given, true)) await this.fit(freshTrack(task.name, given, deskOf(doc).settings, deskOf(doc).guide));
     else bench.warn(`${task.words.needs} ${task.words.remedy}`);
   }
 
@@ -55,7 +56,7 @@ export class Runs {
     // One that was stopped on the way was not to be compared after all.
     const given = track && (known || !made()!.stopped);
     if (!given || this.bench.busy || this.bench.doc.task !== task) return;
-    await this.fit({ ...freshTrack(task, track.given, { ...track.settings, form: "bag" }), loose: true });
+    await this.fit({ ...freshTrack(task, track.given, { ...track.settings, form: "bag" }, track.guide), loose: true });
   }
 
   /** Pauses, or goes on. */
@@ -126,7 +127,7 @@ export class Runs {
     if (bench.doc.task !== task) bench.project.replace({ task });
     if (bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
     // What it is compared with decides about loose strokes.
-    await this.fit(track.loose ? track : { ...track, settings: deskOf(bench.doc, task).settings });
+    await this.fit(track.loose ? track : { ...track, settings: deskOf(bench.doc, task).settings, guide: deskOf(bench.doc, task).guide });
   }
 
   private async fit(track: Track): Promise<void> {

@@ -1,6 +1,6 @@
 /** The settings of the task that is looked at: what they are, and how they change. */
 
-import type { SettingsTables, SettingValues } from "../../engine/protocol";
+import type { Guide, SettingsTables, SettingValues } from "../../engine/protocol";
 import type { Bench, Settings } from "../contract/bench";
 import { tableOf } from "../contract/state";
 import type { Task } from "../contract/task";
@@ -39,6 +39,12 @@ export class Options implements Settings {
     if (table && Object.entries(values).some(([name, value]) => problemWith(name, value, table))) return;
     const next = { ...("preset" in values ? this.besidesPreset() : this.all), ...values };
     this.put(label, table ? known(next, table) : next, kind);
+  }
+
+  /** Words that guide the next runs; null for none. */
+  guideBy(guide: Guide | null): void {
+    const { doc } = this.bench;
+    this.bench.edit(guide ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide }), "guide");
   }
 
   reset(): void {

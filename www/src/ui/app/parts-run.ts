@@ -1,3 +1,4 @@
+import "../guidance/guide-fold";
 import "../run/result-panel";
 import "../run/run-panel";
 import "../run/wire-comparison";

@@ -118,6 +118,7 @@ export class WireApp extends LitElement {
               .whenHidden=${now.whenHidden}
               ?locked=${!idle}
             >
+              <guide-fold .studio=${studio} .state=${now} ?locked=${!idle}></guide-fold>
               <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
             </settings-panel>
           </section>

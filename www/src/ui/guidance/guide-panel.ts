@@ -1,0 +1,198 @@
+import { css, html, nothing } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { Guide } from "../../engine/protocol";
+import { suggested } from "../../guidance/icon-words";
+import { deskOf, type Studio, type StudioState } from "../../state/studio";
+import { Part } from "../../view/part";
+import { controls } from "../shared/shared";
+import { Shelf } from "./shelf";
+import { said, sizeOf } from "./guide-words";
+
+export const ICONS = "icons";
+const WEIGHTS = { usual: 2, most: 10, step: 0.5 } as const;
+
+/** Words beside each picture, how strongly they pull, and whose idea of them counts. */
+@customElement("guide-panel")
+export class GuidePanel extends Part {
+  @property({ attribute: false }) studio!: Studio;
+  @property({ attribute: false }) state!: StudioState;
+  @property({ type: Boolean }) locked = false;
+  /** Words that may be meant, for the field that is typed in. */
+  @state() private meant: readonly string[] = [];
+  @state() private unknown: Readonly<Record<string, string>> = {};
+  private shelf: Shelf | null = null;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: 16px;
+        padding-block: 4px 16px;
+      }
+      .words,
+      .by {
+        display: grid;
+        gap: 8px;
+      }
+      label {
+        display: grid;
+        gap: 4px;
+      }
+      .word {
+        grid-template-columns: 5em minmax(0, 1fr);
+        align-items: center;
+      }
+      .strength {
+        grid-template-columns: minmax(0, 1fr) auto;
+        align-items: center;
+      }
+      .strength input {
+        grid-column: 1 / -1;
+      }
+      p {
+        margin: 0;
+        overflow-wrap: anywhere;
+      }
+      .problem {
+        color: var(--error);
+      }
+      .file {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 8px;
+      }
+    `,
+  ];
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.shelf ??= new Shelf(this.studio.bench.engine, () => this.requestUpdate());
+    void this.shelf.look();
+  }
+
+  override render() {
+    const { guide, views } = this;
+    if (views.length === 0) return html`<p class="small quiet">Words guide wires that have pictures to be like. Look at Three views or One picture.</p>`;
+    return html`
+      <p class="small quiet">A word pulls the wire besides the picture, towards what a network thinks the word looks like. That is an experiment: it can be wrong, and it takes longer.</p>
+      <div class="words">
+        ${views.map((view) => this.word(view))}
+        <datalist id="meant">${this.meant.map((word) => html`<option value=${word}></option>`)}</datalist>
+      </div>
+      <label class="strength">
+        How strongly <output>${guide?.weight ?? WEIGHTS.usual}</output>
+        <input
+          type="range"
+          min="0"
+          max=${WEIGHTS.most}
+          step=${WEIGHTS.step}
+          .value=${String(guide?.weight ?? WEIGHTS.usual)}
+          ?disabled=${this.locked}
+          @change=${(event: Event) => this.change({ weight: Number((event.target as HTMLInputElement).value) })}
+        />
+      </label>
+      ${this.who()}
+    `;
+  }
+
+  private get guide(): Guide | null {
+    return deskOf(this.state.doc).guide;
+  }
+
+  private get views(): readonly string[] {
+    return this.studio.task().compared;
+  }
+
+  private word(view: string) {
+    const unknown = this.unknown[view];
+    return html`<label class="word">
+        ${said(view)}
+        <input
+          type="text"
+          list="meant"
+          maxlength="60"
+          autocomplete="off"
+          spellcheck="false"
+          placeholder="a word, or nothing"
+          .value=${this.guide?.words[view] ?? ""}
+          ?disabled=${this.locked}
+          aria-describedby=${unknown ? `unknown-${view}` : nothing}
+          @input=${(event: Event) => this.suggest((event.target as HTMLInputElement).value)}
+          @change=${(event: Event) => this.say(view, (event.target as HTMLInputElement).value.trim())}
+        />
+      </label>
+      ${unknown ? html`<p class="small quiet" id="unknown-${view}">${unknown}</p>` : nothing}`;
+  }
+
+  /** The networks there are, and what each is. */
+  private who() {
+    const shelf = this.shelf!;
+    const by = this.guide?.by ?? ICONS;
+    const kept = shelf.kept.find(({ sha256 }) => sha256 === by);
+    return html`<div class="by">
+      <label>
+        Whose idea of the words counts
+        <select ?disabled=${this.locked} @change=${(event: Event) => this.change({ by: (event.target as HTMLSelectElement).value })}>
+          <option value=${ICONS} .selected=${by === ICONS}>Small networks that know icons</option>
+          ${shelf.kept.map(({ sha256, name }) => html`<option value=${sha256} .selected=${sha256 === by}>${name}</option>`)}
+        </select>
+      </label>
+      <p class="small quiet">
+        ${kept
+          ? html`${kept.name}: ${sizeOf(kept.bytes)}, licence: ${kept.licence || "not said"}. Kept in this browser.`
+          : html`Two networks of ours, trained on some 28,000 icons, together with a table of words 3 MB, and 4 MB of runtime; fetched once you press Run, and computed here. They know nothing of photographs and not every word. Licence: as this page.`}
+      </p>
+      ${kept
+        ? html`<div class="file"><button ?disabled=${this.locked} @click=${() => this.drop(kept.sha256)}>Delete ${kept.name}</button></div>`
+        : nothing}
+      <label>
+        Or a network of your own: its .onnx and .json files, chosen together
+        <input type="file" multiple accept=".onnx,.json" ?disabled=${this.locked || shelf.busy} @change=${this.bring} />
+      </label>
+      ${shelf.facts
+        ? html`<p class="small">${shelf.facts.name}: ${sizeOf(shelf.facts.bytes)}, about ${sizeOf(shelf.facts.memory)} of memory while it is open, licence: ${shelf.facts.licence || "not said"}.</p>
+            <div class="file">
+              <button class="primary" ?disabled=${shelf.busy} @click=${this.open}>Open it</button>
+              ${shelf.busy ? html`<button @click=${() => shelf.giveUp()}>Cancel</button>` : nothing}
+            </div>`
+        : nothing}
+      <p class="small ${shelf.failed ? "problem" : "quiet"}" role="status">${shelf.words}</p>
+    </div>`;
+  }
+
+  private change(change: Partial<Guide>): void {
+    const guide = { words: {}, weight: WEIGHTS.usual, by: ICONS, ...this.guide, ...change };
+    const idle = guide.by === ICONS && guide.weight === WEIGHTS.usual && !Object.values(guide.words).some(Boolean);
+    this.studio.options.guideBy(idle ? null : guide);
+  }
+
+  private async say(view: string, word: string): Promise<void> {
+    this.change({ words: { ...this.guide?.words, [view]: word } });
+    const meant = word && (this.guide?.by ?? ICONS) === ICONS ? await suggested(word, 4).catch(() => [word]) : [word];
+    const first = meant[0];
+    const known = first?.toLowerCase() === word.toLowerCase();
+    const words = first ? `Taken for “${first}”.` : "Not a word that these networks know. Try a plainer one.";
+    this.unknown = { ...this.unknown, [view]: known ? "" : words };
+  }
+
+  private async suggest(typed: string): Promise<void> {
+    const known = typed.length > 1 && (this.guide?.by ?? ICONS) === ICONS;
+    this.meant = known ? await suggested(typed).catch(() => []) : [];
+  }
+
+  private readonly bring = (event: Event): void => {
+    const { files } = event.target as HTMLInputElement;
+    if (files?.length) void this.shelf!.bring([...files]);
+  };
+
+  private readonly open = async (): Promise<void> => {
+    const sha256 = await this.shelf!.open();
+    if (sha256) this.change({ by: sha256 });
+  };
+
+  private async drop(sha256: string): Promise<void> {
+    this.change({ by: ICONS });
+    await this.shelf!.drop(sha256);
+  }
+}
