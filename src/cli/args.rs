@@ -236,7 +236,7 @@ fn with_settings(command: Command, task: Task) -> Command {
                 .help(format!("{}{unit} [default: {default}]", row.help)),
         )
     });
-    command
+    with_guidance(command)
         .arg(
             Arg::new("set")
                 .long("set")
@@ -245,6 +245,68 @@ fn with_settings(command: Command, task: Task) -> Command {
                 .help("Any setting by its name"),
         )
         .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("No progress on the terminal"))
+}
+
+/// What says that networks guide a run. `guiding` reads it.
+fn with_guidance(command: Command) -> Command {
+    let repeated =
+        |name: &'static str, help: &'static str| Arg::new(name).long(name).action(ArgAction::Append).help(help);
+    command
+        .arg(
+            repeated(
+                "guide",
+                "A network that pulls views towards words: a file of tools/guidance; again for more that agree",
+            )
+            .value_name("FILE.onnx")
+            .value_parser(value_parser!(PathBuf))
+            .requires("words"),
+        )
+        .arg(
+            repeated(
+                "words",
+                "What the views are to show, as --guide sees it; VIEW=WORDS for one view alone; again for more",
+            )
+            .value_name("WORDS")
+            .requires("guide"),
+        )
+        .arg(
+            Arg::new("guide-weight")
+                .long("guide-weight")
+                .value_name("N")
+                .value_parser(value_parser!(f32))
+                .allow_negative_numbers(true)
+                .default_value("2")
+                .help("Weight of what --guide says, where the comparison of pictures weighs 1"),
+        )
+        .arg(
+            Arg::new("guide-look")
+                .long("guide-look")
+                .value_name("LOOK")
+                .value_parser(["turned", "whole", "patches"])
+                .default_value("turned")
+                .help("What --guide sees of a view: all of it a little turned, all of it as it is, or 4 x 4 parts"),
+        )
+        .arg(
+            Arg::new("neutral")
+                .long("neutral")
+                .value_name("WORDS")
+                .requires("guide")
+                .help("What the views show at first: they change as --words differ from this, patch by patch"),
+        )
+        .arg(
+            file(
+                "word-table",
+                "More words for --guide, a .json with a .bin beside it [default: words.json beside the network]",
+            )
+            .long("word-table")
+            .requires("guide"),
+        )
+        .arg(
+            file("text", "A text encoder for --words, a file of tools/guidance")
+                .long("text")
+                .value_name("FILE.onnx")
+                .requires("guide"),
+        )
 }
 
 /// The settings a run was given, later flags over earlier ones over the preset.

@@ -4,6 +4,7 @@
 mod args;
 mod fill;
 mod folder;
+mod guiding;
 mod making;
 mod multiview;
 mod raster;

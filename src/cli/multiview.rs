@@ -1,5 +1,6 @@
 //! `wire4d multiview`: pictures in, a folder with the wire, its views and the report out.
 
+use crate::guiding::Guiding;
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -15,6 +16,7 @@ use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Multiview)?;
+    let guiding = Guiding::new(matches)?;
     let (drawings, reading): (Vec<_>, Vec<_>) = drawings(matches, &settings)?.into_iter().unzip();
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -35,8 +37,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         bar.set_position((share * 100.0) as u64);
         !making.is_stopped()
     })?;
-    let time = making.fit(&mut run)?;
-    let report = Report { reading, ..run.report(time, !run.session().is_done()) };
+    let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
+    let report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
     save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
     save_pictures(&folder, &run, &coverable)?;
     bar.finish_and_clear();

@@ -3,16 +3,18 @@
 use crate::graph::{Graph, Port};
 use crate::sidecar::{Sidecar, unit};
 use std::path::Path;
+use std::sync::Arc;
 use wire4d_core::Result;
 use wire4d_core::objective::{Answer, Batch, Network};
 use wire4d_core::work::Work;
 
-/// A guidance-v1 file, checked and ready to run on the processor.
+/// A guidance-v1 file, checked and ready to run on the processor. Clones share it.
+#[derive(Clone)]
 pub struct OnnxNetwork {
-    graph: Graph,
+    graph: Arc<Graph>,
     size: usize,
     embed: usize,
-    facts: Facts,
+    facts: Arc<Facts>,
 }
 
 /// What a person should know of a network.
@@ -57,7 +59,8 @@ impl OnnxNetwork {
         sidecar.selftest.check(&graph)?;
         let words = sidecar.embeddings.iter().map(|entry| (entry.prompt.clone(), unit(&entry.vector))).collect();
         let Sidecar { size, embed, name, origin, licence, sha256, .. } = sidecar;
-        Ok(OnnxNetwork { graph, size, embed, facts: Facts { name, origin, licence, sha256, words } })
+        let facts = Arc::new(Facts { name, origin, licence, sha256, words });
+        Ok(OnnxNetwork { graph: Arc::new(graph), size, embed, facts })
     }
 
     /// What a person should know of it.

@@ -1,10 +1,11 @@
 //! Words to vectors: a network's own, a table of many, or a text encoder.
 
-use crate::network::Facts;
+use crate::network::{Facts, OnnxNetwork};
 use crate::sidecar::{check_sum, json, read, unit};
 use crate::text::TextEncoder;
 use serde::Deserialize;
 use std::path::Path;
+use wire4d_core::objective::Network;
 use wire4d_core::{Error, Result};
 
 /// Words a table may have, and numbers a vector.
@@ -83,13 +84,12 @@ impl Dictionary {
     /// What came with a network first, then a table, then an encoder.
     ///
     /// # Errors
-    /// [`Error::Input`] where table or encoder give vectors of another size than the network's `embed`.
-    pub fn new(
-        facts: &Facts,
-        embed: usize,
-        table: Option<WordTable>,
-        encoder: Option<TextEncoder>,
-    ) -> Result<Dictionary> {
+    /// [`Error::Input`] where table or encoder give vectors of another size than the network's.
+    pub fn new(network: &OnnxNetwork, table: Option<WordTable>, encoder: Option<TextEncoder>) -> Result<Dictionary> {
+        Dictionary::of(network.facts(), network.embed(), table, encoder)
+    }
+
+    fn of(facts: &Facts, embed: usize, table: Option<WordTable>, encoder: Option<TextEncoder>) -> Result<Dictionary> {
         let given = [("the word table", table.as_ref().map(WordTable::embed))];
         let given = given.into_iter().chain([("the text encoder", encoder.as_ref().map(TextEncoder::embed))]);
         for (name, found) in given {
@@ -180,14 +180,14 @@ mod tests {
     fn words_are_looked_up_in_order_and_unknown_ones_answered_with_some_alike() {
         let rows: Vec<u8> = [127i8, 0, 3, -4].map(|value| value as u8).into();
         let both = table(&["dog", "black dog"], &rows, "word-table-v1").unwrap();
-        let dictionary = Dictionary::new(&facts(), 2, Some(both), None).unwrap();
+        let dictionary = Dictionary::of(&facts(), 2, Some(both), None).unwrap();
         assert_eq!(dictionary.vector("A  cat").unwrap(), [1.0, 0.0]);
         assert_eq!(dictionary.vector(" Black dog").unwrap(), [0.6, -0.8]);
         let unknown = dictionary.vector("log").unwrap_err();
         assert!(unknown.is_bad_input() && unknown.to_string().contains("such as dog, "), "{unknown}");
         let scaled = table(&["dog"], &[3, 4, 0, 0, 0, 64], "words-v1").unwrap();
         assert_eq!(scaled.vector("dog").unwrap(), [0.6, 0.8]);
-        assert!(Dictionary::new(&facts(), 3, Some(scaled), None).is_err());
+        assert!(Dictionary::of(&facts(), 3, Some(scaled), None).is_err());
     }
 
     #[test]

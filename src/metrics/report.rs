@@ -35,6 +35,9 @@ pub struct Report {
     /// How the pictures were read; whoever read them fills it in.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub reading: Vec<ReadingReport>,
+    /// What else guided the fit; whoever had it guided fills it in.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub guidance: Option<GuidanceReport>,
     /// What happened on the way.
     pub events: Vec<EventReport>,
 }
@@ -106,6 +109,45 @@ impl ReadingReport {
             notes: picture.notes(),
         }
     }
+}
+
+/// How networks that know words guided the fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GuidanceReport {
+    /// The networks.
+    pub networks: Vec<NetworkReport>,
+    /// Weight of what they say, where the comparison of pictures weighs 1.
+    pub weight: f32,
+    /// What the views that have words were to show.
+    pub views: Vec<WordsReport>,
+    /// CLIP's score: mean of the views' `cos`.
+    pub mean_cos: f32,
+    /// Why the fit went on without them, if it did.
+    pub trouble: Option<String>,
+}
+
+/// A network that guided.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NetworkReport {
+    /// What it is called.
+    pub name: String,
+    /// Whose weights these are.
+    pub origin: String,
+    /// Under which licence.
+    pub licence: String,
+    /// The file's SHA-256.
+    pub sha256: String,
+}
+
+/// A view and its words.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WordsReport {
+    /// Name of the view.
+    pub view: String,
+    /// What it was to show.
+    pub words: String,
+    /// Cosine between the words and the view, mean over networks, -1 to 1.
+    pub cos: f32,
 }
 
 /// Something that happened during the fit.

@@ -231,6 +231,7 @@ impl Run {
             result: self.result(),
             arrangement: self.arrangement(),
             reading: Vec::new(),
+            guidance: None,
             events: event_reports(&self.session),
         }
     }

@@ -2,6 +2,7 @@
 
 mod field_meshes;
 mod field_pictures;
+mod guiding;
 #[path = "../../../../tests/support/notice/mod.rs"]
 mod notice;
 mod verbs;

@@ -19,16 +19,16 @@ fn program(arguments: &[&str]) -> Command {
     command
 }
 
-fn text(path: &Path) -> &str {
+pub fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
 /// A quick run on a pair; the flags keep it under a few seconds.
-fn quick_run(out: &Path, more: &[&str]) -> Output {
+pub fn quick_run(out: &Path, more: &[&str]) -> Output {
     quick(out, more).output().unwrap()
 }
 
-fn quick(out: &Path, more: &[&str]) -> Command {
+pub fn quick(out: &Path, more: &[&str]) -> Command {
     let (front, side) = (drawing("p05-tools", "front"), drawing("p05-tools", "side"));
     let mut arguments = vec!["multiview", text(&front), text(&side), "--out", text(out)];
     arguments.extend(["--preset", "fast", "--size", "96", "--iterations", "60", "--grid", "32"]);
@@ -36,19 +36,19 @@ fn quick(out: &Path, more: &[&str]) -> Command {
     program(&arguments)
 }
 
-fn json(path: &Path) -> Value {
+pub fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
 #[track_caller]
-fn succeeds(output: &Output) -> String {
+pub fn succeeds(output: &Output) -> String {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout.clone()).unwrap().trim().to_owned()
 }
 
 /// Status 2 and one line that names the input.
 #[track_caller]
-fn refused(output: &Output, names: &str) {
+pub fn refused(output: &Output, names: &str) {
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{stderr}");
     assert_eq!(stderr.trim().lines().count(), 1, "{stderr}");
