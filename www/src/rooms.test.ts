@@ -30,6 +30,7 @@ const ROOMS: readonly string[] = [
   "ui/stage",
   "ui/run",
   "ui/save",
+  "ui/guidance",
   "ui/app",
   "tasks",
 ];
