@@ -31,6 +31,7 @@ const ROOMS: readonly string[] = [
   "ui/stage",
   "ui/run",
   "ui/save",
+  "ui/guidance",
   "ui/app",
   "tasks",
 ];

@@ -190,7 +190,10 @@ export interface Calls {
   export: { arguments: ExportArguments; answer: Uint8Array<ArrayBuffer> };
   /** What a network from elsewhere is, before anything of it is used. */
   lookAtGuidance: { arguments: { from: Source }; answer: Facts };
-  /** Opens it, in place of the one of its kind that is open; it tells how far that is, and keeps the files if asked to. */
+  /**
+   * Opens it, in place of the one of its kind that is open, and at once if it is that one; it tells how far that is, and keeps
+   * the files if asked to.
+   */
   openGuidance: { arguments: { from: Source; prefer: Provider; keep: boolean }; answer: Opened };
   /** Asks an open network. */
   askGuidance: { arguments: { question: Question }; answer: Answers[Kind] };

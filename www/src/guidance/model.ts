@@ -52,6 +52,8 @@ export function factsOf(sidecar: Sidecar): Facts {
 }
 
 export class Model<K extends Kind = Kind> {
+  private gaveUp = false;
+
   private constructor(
     readonly sidecar: Sidecar<K>,
     readonly about: About,
@@ -75,11 +77,17 @@ export class Model<K extends Kind = Kind> {
     if (!session) return fail("is closed. Open it again.");
     const answers = await ask(session, sidecar, asked as Readonly<Record<string, Numbers>>, fail).catch((error: unknown) => {
       if (error instanceof GuidanceError) throw error;
+      this.gaveUp = true;
       return fail(`could not be computed (${briefly(error)}). Open it again, or take a smaller model.`);
     });
     const wrong = Object.entries(answers).find(([, numbers]) => !isFinite(numbers));
     if (wrong) return fail(`answered with numbers that are not finite (${wrong[0]}). Nothing was done with them; look at what it was given, or take another model.`);
     return answers as unknown as Answers[K];
+  }
+
+  /** False once it was released, or the runtime gave up on it: its graphics card was lost, or memory ran out. */
+  get isFine(): boolean {
+    return this.session !== null && !this.gaveUp;
   }
 
   /** Gives its memory back. */

@@ -35,7 +35,7 @@ interface Found {
 }
 
 const shelf = new Shelf();
-const models = new Map<Kind, { readonly model: Model; readonly tokenizer: Tokenizer | null }>();
+const models = new Map<Kind, { readonly model: Model; readonly tokenizer: Tokenizer | null; readonly prefer: Provider }>();
 const openings = new Set<AbortController>();
 let last: Promise<unknown> = Promise.resolve();
 
@@ -44,7 +44,10 @@ export async function look(source: Source): Promise<Facts> {
   return factsOf((await find(source)).sidecar);
 }
 
-/** Opens a network in place of the one of its kind that is open; one after the other. */
+/**
+ * Opens a network in place of the one of its kind that is open; one after the other. The very one that is open stays so: to ask
+ * before each use costs nothing, and a worker that was ended meanwhile opens it again.
+ */
 export function open(source: Source, prefer: Provider, keep: boolean, tell: Tell): Promise<Opened> {
   const opening = new AbortController();
   openings.add(opening);
@@ -67,13 +70,18 @@ async function openNow(source: Source, prefer: Provider, keep: boolean, progress
   if (tokenizer && tokenizer.context !== context) {
     throw new GuidanceError(file, `The tokenizer of “${file}” makes ${tokenizer.context} tokens of a text, and it takes ${context}: it is another model's. Choose the one that was exported with it.`);
   }
+  const now = models.get(sidecar.kind);
+  if (now?.model.isFine && now.model.about.sha256 === sidecar.sha256 && now.prefer === prefer && (isKept || !keep)) {
+    models.set(sidecar.kind, { ...now, tokenizer });
+    return { ...now.model.about, unkept: null };
+  }
   refuseTooLarge(file, sidecar);
   // Its memory is wanted.
   await close(sidecar.kind);
   const bytes = await read(progress, signal);
   signal.throwIfAborted();
   const model = await openModel({ file, bytes, sidecar }, { prefer, progress, signal });
-  models.set(sidecar.kind, { model, tokenizer });
+  models.set(sidecar.kind, { model, tokenizer, prefer });
   const unkept = keep && !isKept ? await shelf.keep(file, new Blob([bytes]), texts, sidecar.sha256) : null;
   return { ...model.about, unkept };
 }

@@ -11,6 +11,7 @@ import { norm } from "../../src/guidance/noise";
 import { feedsOf } from "../../src/guidance/selftest";
 import { readSidecar } from "../../src/guidance/sidecar";
 import { message, withoutWeights } from "../../src/guidance/test-onnx";
+import { inspect } from "./a11y";
 import { contextWithProfile, DIST, requestsElsewhere, ROOT, settled, visit, type VisitOptions } from "./browser";
 import { openSite } from "./site";
 
@@ -116,6 +117,7 @@ it("costs a visit nothing until it is asked for", async () => {
   const runtime = () => site.sent.filter(({ file }) => RUNTIME.test(`/${file}`)).length;
   expect(site.sent.length).toBeGreaterThan(20);
   expect(runtime()).toBe(0);
+  expect(await page.locator("guidance-panel").count()).toBe(0);
   await open(files());
   expect(runtime()).toBe(3);
   expect(requestsElsewhere({ page, ...visited })).toEqual([]);
@@ -238,7 +240,7 @@ describe("what cannot be", async () => {
   });
 
   it("nothing of it is open, and a good one is then", async () => {
-    const { call, open, problem, page, faults } = await ready;
+    const { call, open, problem, news, page, faults } = await ready;
     const { selftest, contract } = readSidecar(SIDECAR, "vit-tiny.json");
     const feeds = feedsOf(selftest.cases[0]!, contract, 2);
     const inputs = Object.fromEntries(Object.entries(feeds).map(([name, numbers]) => [name, f32(numbers)])) as Record<"image" | "source" | "target" | "weight", { f32: number[] }>;
@@ -246,6 +248,10 @@ describe("what cannot be", async () => {
     expect(await problem(ask())).toBe("No guidance-v1 model is open. Open one first.");
     await open(files());
     expect(await problem(ask())).toBe("");
+    // It is open: nothing is read again.
+    const told = (await news()).length;
+    await open(files());
+    expect((await news()).length).toBe(told);
     expect(await problem(ask({ image: f32(inputs.image.f32.with(5, NaN)) }))).toMatch(/^“vit-tiny” answered with numbers that are not finite \((loss|grad|cos|embedding)\)\./);
     expect(await problem(ask({ image: f32(inputs.image.f32.slice(1)) }))).toBe("“vit-tiny” was given 6143 numbers as image, which are no whole rows.");
     expect(await problem(ask({ weight: f32([1]) }))).toBe("“vit-tiny” was given inputs of different batches (2, 2, 2, 1).");
@@ -322,7 +328,7 @@ it("needs no more memory after 64 runs, and gives it back", async () => {
     const { Memory } = WebAssembly;
     self.memories = [];
     WebAssembly.Memory = class extends Memory { constructor(given) { super(given); self.memories.push(this); } };`;
-  const { page, open, own } = await engine({ inEngine: KEEP_MEMORIES });
+  const { page, call, open, own } = await engine({ inEngine: KEEP_MEMORIES });
   const megabytes = async (): Promise<number> => (await own()).evaluate(() => Math.max(...(self as unknown as { memories: WebAssembly.Memory[] }).memories.map(({ buffer }) => buffer.byteLength)) / 2 ** 20);
   /** 32 pictures each: what stayed of their inputs and gradients would be 50 MB in the end. */
   const ask = (times: number): Promise<void> =>
@@ -338,8 +344,42 @@ it("needs no more memory after 64 runs, and gives it back", async () => {
   expect(before).toBeGreaterThan(1);
   await ask(64);
   expect(await megabytes()).toBe(before);
-  // Opened again and again, it takes the place of the last.
-  for (let i = 0; i < 8; i++) await open(files());
+  for (let i = 0; i < 8; i++) {
+    await call("closeGuidance", {});
+    await open(files());
+  }
   expect(await megabytes()).toBe(before);
+  await page.context().close();
+});
+
+it("has a panel where the address asks for it: what a model is before it is used, and what there is to do with it", async () => {
+  const { page, faults } = await visit(browser, `${site.url}?guidance`);
+  const panel = page.locator("guidance-panel");
+  await settled(page);
+  await panel.locator("summary").click();
+  const field = panel.locator("input[type=file]");
+  const problem = panel.getByRole("alert");
+  await field.setInputFiles([{ name: "vit.onnx", mimeType: "", buffer: ONNX }]);
+  await expect.poll(() => problem.textContent()).toMatch(/^“vit\.onnx” lacks its description/);
+  await field.setInputFiles([{ name: "vit.json", mimeType: "", buffer: Buffer.from(SIDECAR.replace('"vit-tiny"', '"<img src=x onerror=alert(1)>"')) }, { name: "vit.onnx", mimeType: "", buffer: ONNX }]);
+  await panel.getByText("<img src=x onerror=alert(1)>").waitFor();
+  await field.setInputFiles([{ name: "vit.json", mimeType: "", buffer: Buffer.from(SIDECAR) }, { name: "vit.onnx", mimeType: "", buffer: ONNX }]);
+  await panel.getByText("vit-tiny", { exact: true }).waitFor();
+  expect(await panel.locator(".group").textContent()).toMatch(/114 kB, and about 343 kB of memory.*Licence: made up for tests.*From: random numbers, seeded/s);
+  expect(await problem.count()).toBe(0);
+  await panel.scrollIntoViewIfNeeded();
+  await inspect(page, "guidance-chosen");
+  await panel.getByRole("button", { name: "Open it" }).click();
+  await panel.getByText("vit-tiny is open on the processor.").waitFor();
+  await panel.getByText(/^Kept on /).waitFor();
+  await panel.scrollIntoViewIfNeeded();
+  await inspect(page, "guidance-open");
+  expect(await panel.getByRole("button", { name: "Open vit-tiny" }).isDisabled()).toBe(true);
+  await panel.getByRole("button", { name: /^Close/ }).click();
+  await panel.getByRole("button", { name: "Open vit-tiny" }).click();
+  await panel.getByText("vit-tiny is open on the processor.").waitFor();
+  await panel.getByRole("button", { name: "Delete vit-tiny" }).click();
+  await expect.poll(() => panel.getByText("Kept in this browser").count()).toBe(0);
+  expect(faults).toEqual([]);
   await page.context().close();
 });
