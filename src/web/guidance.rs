@@ -126,7 +126,7 @@ const NETWORK_TYPES: &str = r#"
 export interface GuidanceNetwork {
   readonly size: number;
   readonly embed: number;
-  run(batch: { images: Float32Array; source: Float32Array; target: Float32Array; weight: Float32Array }): Promise<{
+  run(batch: { images: Float32Array<ArrayBuffer>; source: Float32Array<ArrayBuffer>; target: Float32Array<ArrayBuffer>; weight: Float32Array<ArrayBuffer> }): Promise<{
     readonly loss: number;
     readonly grad: Float32Array;
     readonly cos: Float32Array;

@@ -31,7 +31,6 @@ const ROOMS: readonly string[] = [
   "ui/stage",
   "ui/run",
   "ui/save",
-  "ui/guidance",
   "ui/app",
   "tasks",
 ];

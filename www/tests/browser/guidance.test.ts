@@ -117,7 +117,7 @@ it("costs a visit nothing until it is asked for", async () => {
   const runtime = () => site.sent.filter(({ file }) => RUNTIME.test(`/${file}`)).length;
   expect(site.sent.length).toBeGreaterThan(20);
   expect(runtime()).toBe(0);
-  expect(await page.locator("guidance-panel").count()).toBe(0);
+  expect(await page.locator("guide-panel").count()).toBe(0);
   await open(files());
   expect(runtime()).toBe(3);
   expect(requestsElsewhere({ page, ...visited })).toEqual([]);
@@ -352,11 +352,12 @@ it("needs no more memory after 64 runs, and gives it back", async () => {
   await page.context().close();
 });
 
-it("has a panel where the address asks for it: what a model is before it is used, and what there is to do with it", async () => {
-  const { page, faults } = await visit(browser, `${site.url}?guidance`);
-  const panel = page.locator("guidance-panel");
+it("says what a model is before it is used, and what there is to do with it", async () => {
+  const { page, faults } = await visit(browser, site.url);
+  const panel = page.locator("model-shelf");
   await settled(page);
-  await panel.locator("summary").click();
+  await page.locator("guide-fold summary").first().click();
+  await page.getByText("A network of your own").click();
   const field = panel.locator("input[type=file]");
   const problem = panel.getByRole("alert");
   await field.setInputFiles([{ name: "vit.onnx", mimeType: "", buffer: ONNX }]);
@@ -365,7 +366,7 @@ it("has a panel where the address asks for it: what a model is before it is used
   await panel.getByText("<img src=x onerror=alert(1)>").waitFor();
   await field.setInputFiles([{ name: "vit.json", mimeType: "", buffer: Buffer.from(SIDECAR) }, { name: "vit.onnx", mimeType: "", buffer: ONNX }]);
   await panel.getByText("vit-tiny", { exact: true }).waitFor();
-  expect(await panel.locator(".group").textContent()).toMatch(/114 kB, and about 343 kB of memory.*Licence: made up for tests.*From: random numbers, seeded/s);
+  expect((await panel.locator("p").allTextContents()).join(" ")).toMatch(/114 kB, and about 343 kB of memory.*Licence: made up for tests.*From: random numbers, seeded/s);
   expect(await problem.count()).toBe(0);
   await panel.scrollIntoViewIfNeeded();
   await inspect(page, "guidance-chosen");

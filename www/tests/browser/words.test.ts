@@ -1,10 +1,11 @@
 /** Words that guide a run, as people say them: the networks come when a run wants them, and never before. */
 
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, DRAWINGS, give, idle, requestsElsewhere, runButton, shoot, visit, type Visit } from "./browser";
+import { choose, DRAWINGS, give, idle, requestsElsewhere, ROOT, runButton, shoot, visit, type Visit } from "./browser";
 import { padsReady, previewed } from "./pads";
 import { openSite } from "./site";
 
@@ -55,6 +56,28 @@ it("guides a run by a word, and fetches nothing for that before", async () => {
   expect(fetched().filter((file) => /asyncify/.test(file))).toEqual([]);
   expect(visited.faults).toEqual([]);
   expect(await withoutWords().count()).toBe(0);
+});
+
+it("guides a run by a network of one's own, and opens it again when it is gone", async () => {
+  const data = (name: string): Buffer => readFileSync(join(ROOT, "tests/data/guidance", name));
+  const described = { ...(JSON.parse(data("vit-tiny.json").toString()) as object), embeddings: [{ prompt: "a fish", vector: [1, ...Array<number>(15).fill(0)] }] };
+  await page.locator("guide-fold summary").click();
+  await page.getByText("A network of your own").click();
+  await page.locator("model-shelf input[type=file]").setInputFiles([
+    { name: "vit.json", mimeType: "", buffer: Buffer.from(JSON.stringify(described)) },
+    { name: "vit.onnx", mimeType: "", buffer: data("vit-tiny.onnx") },
+  ]);
+  await page.getByRole("button", { name: "Open it" }).click();
+  await page.getByText("vit-tiny is open on the processor.").waitFor();
+  await page.getByLabel("Whose idea of the words counts").selectOption("vit-tiny");
+  await page.getByLabel("Front", { exact: true }).fill("a fish");
+  await page.getByLabel("Side", { exact: true }).fill("a dragon");
+  await page.getByLabel("Side", { exact: true }).press("Enter");
+  await page.getByRole("button", { name: /^Close/ }).click();
+  await run();
+  await page.locator("notice-list").getByText("“a dragon” (side) is no word that guides here. Its file knows: a fish.").waitFor();
+  expect(await withoutWords().count()).toBe(0);
+  expect(visited.faults).toEqual([]);
 });
 
 it("goes on without a word that nobody knows, and without networks that do not come", async () => {

@@ -25,9 +25,6 @@ import { actionOf, isTaken } from "./shortcuts";
 import { tabs, tabsStyle, type Tab } from "./tabs";
 import "./top-bar";
 
-/** `?guidance` in the address: models from files are tried out, and are shown to nobody else yet. */
-const GUIDED = new URLSearchParams(location.search).has("guidance");
-
 interface LookChange {
   readonly look: LookName;
   readonly room: boolean;
@@ -123,7 +120,6 @@ export class WireApp extends LitElement {
             >
               <guide-fold .studio=${studio} .state=${now} ?locked=${!idle}></guide-fold>
               <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
-              ${GUIDED ? html`<guidance-panel .engine=${studio.bench.engine} .prefer=${now.where.place?.backend === "gpu" ? "webgpu" : "wasm"}></guidance-panel>` : nothing}
             </settings-panel>
           </section>
         </div>
@@ -162,7 +158,6 @@ export class WireApp extends LitElement {
     await nextTurn();
     await Promise.all([loadParts(), this.loadPartsOf(this.now.doc.task)]);
     await rendered(this.renderRoot);
-    if (GUIDED) void import("../guidance/guidance-panel");
     this.opened = true;
     this.begin();
   }

@@ -5,8 +5,8 @@ import { suggested } from "../../guidance/icon-words";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
-import { Shelf } from "./shelf";
-import { said, sizeOf } from "./guide-words";
+import "./model-shelf";
+import type { Facts } from "./model-shelf";
 
 export const ICONS = "icons";
 const WEIGHTS = { usual: 2, most: 10, step: 0.5 } as const;
@@ -20,7 +20,8 @@ export class GuidePanel extends Part {
   /** Words that may be meant, for the field that is typed in. */
   @state() private meant: readonly string[] = [];
   @state() private unknown: Readonly<Record<string, string>> = {};
-  private shelf: Shelf | null = null;
+  /** Networks that can guide, besides ours. */
+  @state() private models: readonly Facts[] = [];
 
   static override styles = [
     controls,
@@ -54,22 +55,12 @@ export class GuidePanel extends Part {
         margin: 0;
         overflow-wrap: anywhere;
       }
-      .problem {
-        color: var(--error);
-      }
-      .file {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
+      summary {
+        min-height: 32px;
+        cursor: pointer;
       }
     `,
   ];
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.shelf ??= new Shelf(this.studio.bench.engine, () => this.requestUpdate());
-    void this.shelf.look();
-  }
 
   override render() {
     const { guide, views } = this;
@@ -107,7 +98,7 @@ export class GuidePanel extends Part {
   private word(view: string) {
     const unknown = this.unknown[view];
     return html`<label class="word">
-        ${said(view)}
+        ${view.charAt(0).toUpperCase() + view.slice(1)}
         <input
           type="text"
           list="meant"
@@ -127,39 +118,31 @@ export class GuidePanel extends Part {
 
   /** The networks there are, and what each is. */
   private who() {
-    const shelf = this.shelf!;
     const by = this.guide?.by ?? ICONS;
-    const kept = shelf.kept.find(({ sha256 }) => sha256 === by);
     return html`<div class="by">
       <label>
         Whose idea of the words counts
         <select ?disabled=${this.locked} @change=${(event: Event) => this.change({ by: (event.target as HTMLSelectElement).value })}>
           <option value=${ICONS} .selected=${by === ICONS}>Small networks that know icons</option>
-          ${shelf.kept.map(({ sha256, name }) => html`<option value=${sha256} .selected=${sha256 === by}>${name}</option>`)}
+          ${this.models.map(({ sha256, name }) => html`<option value=${sha256} .selected=${sha256 === by}>${name}</option>`)}
         </select>
       </label>
-      <p class="small quiet">
-        ${kept
-          ? html`${kept.name}: ${sizeOf(kept.bytes)}, licence: ${kept.licence || "not said"}. Kept in this browser.`
-          : html`Two networks of ours, trained on some 28,000 icons, together with a table of words 3 MB, and 4 MB of runtime; fetched once you press Run, and computed here. They know nothing of photographs and not every word. Licence: as this page.`}
-      </p>
-      ${kept
-        ? html`<div class="file"><button ?disabled=${this.locked} @click=${() => this.drop(kept.sha256)}>Delete ${kept.name}</button></div>`
+      ${by === ICONS
+        ? html`<p class="small quiet">
+            Two networks of ours, trained on icons: with their words and a runtime about 8 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they
+            were trained on is MIT, ISC and Apache-2.0.
+          </p>`
         : nothing}
-      <label>
-        Or a network of your own: its .onnx and .json files, chosen together
-        <input type="file" multiple accept=".onnx,.json" ?disabled=${this.locked || shelf.busy} @change=${this.bring} />
-      </label>
-      ${shelf.facts
-        ? html`<p class="small">${shelf.facts.name}: ${sizeOf(shelf.facts.bytes)}, about ${sizeOf(shelf.facts.memory)} of memory while it is open, licence: ${shelf.facts.licence || "not said"}.</p>
-            <div class="file">
-              <button class="primary" ?disabled=${shelf.busy} @click=${this.open}>Open it</button>
-              ${shelf.busy ? html`<button @click=${() => shelf.giveUp()}>Cancel</button>` : nothing}
-            </div>`
-        : nothing}
-      <p class="small ${shelf.failed ? "problem" : "quiet"}" role="status">${shelf.words}</p>
+      <details>
+        <summary class="small">A network of your own</summary>
+        <model-shelf .engine=${this.studio.bench.engine} .prefer=${this.state.where.place?.backend === "gpu" ? "webgpu" : "wasm"} @models=${this.hear}></model-shelf>
+      </details>
     </div>`;
   }
+
+  private readonly hear = ({ detail }: CustomEvent<readonly Facts[]>): void => {
+    this.models = detail.filter(({ kind }) => kind === "guidance-v1");
+  };
 
   private change(change: Partial<Guide>): void {
     const guide = { words: {}, weight: WEIGHTS.usual, by: ICONS, ...this.guide, ...change };
@@ -179,20 +162,5 @@ export class GuidePanel extends Part {
   private async suggest(typed: string): Promise<void> {
     const known = typed.length > 1 && (this.guide?.by ?? ICONS) === ICONS;
     this.meant = known ? await suggested(typed).catch(() => []) : [];
-  }
-
-  private readonly bring = (event: Event): void => {
-    const { files } = event.target as HTMLInputElement;
-    if (files?.length) void this.shelf!.bring([...files]);
-  };
-
-  private readonly open = async (): Promise<void> => {
-    const sha256 = await this.shelf!.open();
-    if (sha256) this.change({ by: sha256 });
-  };
-
-  private async drop(sha256: string): Promise<void> {
-    this.change({ by: ICONS });
-    await this.shelf!.drop(sha256);
   }
 }

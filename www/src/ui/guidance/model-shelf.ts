@@ -6,11 +6,10 @@ import { size } from "../../guidance/fault";
 import { count } from "../../state/common/count";
 import { explain, percent } from "../../state/common/words";
 import { Part } from "../../view/part";
-import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 
-type Facts = Calls["lookAtGuidance"]["answer"];
+export type Facts = Calls["lookAtGuidance"]["answer"];
 type Kept = Calls["guidanceShelf"]["answer"][number];
 type Opened = Calls["openGuidance"]["answer"];
 type Source = Calls["openGuidance"]["arguments"]["from"];
@@ -26,9 +25,9 @@ const KINDS: Readonly<Record<Facts["kind"], string>> = {
 };
 const PROVIDERS: Readonly<Record<Provider, string>> = { webgpu: "on the graphics card", wasm: "on the processor" };
 
-/** Models from files: what one is, before it is used; what is open; and what this browser keeps. */
-@customElement("guidance-panel")
-export class GuidancePanel extends Part {
+/** Models from files: what one is, before it is used; what is open; and what this browser keeps. Fires `models` with what is kept or open. */
+@customElement("model-shelf")
+export class ModelShelf extends Part {
   @property({ attribute: false }) engine!: EngineClient;
   /** Where models should be computed. */
   @property() prefer: Provider = "wasm";
@@ -44,8 +43,11 @@ export class GuidancePanel extends Part {
 
   static override styles = [
     controls,
-    foldStyle,
     css`
+:host {
+        display: grid;
+        gap: 16px;
+      }
       p {
         margin: 0;
         overflow-wrap: anywhere;
@@ -87,19 +89,14 @@ export class GuidancePanel extends Part {
 
   override render() {
     const { chosen, kept, opening, problem } = this;
-    return html`<details @toggle=${this.unfolded}>
-      <summary>Guidance (experimental) ${icons.more}</summary>
-      <div class="group">
-        <p class="small quiet">Models that judge pictures, from files on your device. Nothing is sent anywhere. tools/guidance makes them.</p>
-        ${opening ? nothing : html`<button @click=${() => this.files.click()}>${icons.file} Choose a model…</button>`}
-        <input type="file" multiple accept=".onnx,.json" aria-label="Model files: .onnx and .json" hidden @change=${this.choose} />
-        ${chosen && !opening ? this.choice(chosen.from, chosen.facts) : nothing}
-        <div role="status">${opening ? this.progress(opening) : this.opened.map((model) => this.ready(model))}</div>
-        ${this.opened.length && !opening ? html`<button class="plain" @click=${this.close}>Close, and give its memory back</button>` : nothing}
-        ${problem ? html`<p class="problem" role="alert">${problem}</p>` : nothing}
-        ${kept.length ? html`<h3>Kept in this browser</h3><ul>${kept.map((model) => this.row(model))}</ul>` : nothing}
-      </div>
-    </details>`;
+    return html`<p class="small quiet">A model that judges pictures, from files on your device: its .onnx and .json, and the tokenizer where there is one. Nothing is sent anywhere. tools/guidance makes such files.</p>
+      ${opening ? nothing : html`<button @click=${() => this.files.click()}>${icons.file} Choose a model…</button>`}
+      <input type="file" multiple accept=".onnx,.json" aria-label="Model files: .onnx and .json" hidden @change=${this.choose} />
+      ${chosen && !opening ? this.choice(chosen.from, chosen.facts) : nothing}
+      <div role="status">${opening ? this.progress(opening) : this.opened.map((model) => this.ready(model))}</div>
+      ${this.opened.length && !opening ? html`<button class="plain" @click=${this.close}>Close, and give its memory back</button>` : nothing}
+      ${problem ? html`<p class="problem" role="alert">${problem}</p>` : nothing}
+      ${kept.length ? html`<h3>Kept in this browser</h3><ul>${kept.map((model) => this.row(model))}</ul>` : nothing}`;
   }
 
   private facts(facts: Facts): TemplateResult {
@@ -120,7 +117,7 @@ export class GuidancePanel extends Part {
     </div>`;
   }
 
-  private progress({ name, words, share }: NonNullable<GuidancePanel["opening"]>): TemplateResult {
+  private progress({ name, words, share }: NonNullable<ModelShelf["opening"]>): TemplateResult {
     return html`<p>${name}: ${words} ${share > 0 ? percent(share) : nothing}</p>
       <progress aria-label="Opening ${name}" .value=${share > 0 ? share : null} max="1"></progress>
       <button @click=${() => void this.asked("closeGuidance", {})}>${icons.stop} Cancel</button>`;
@@ -148,14 +145,12 @@ export class GuidancePanel extends Part {
     this.engine.listen((news) => {
       if (news.news === "guidance" && this.opening) this.opening = { ...this.opening, words: news.words, share: news.share };
     });
+    void this.list(null);
   }
-
-  private readonly unfolded = (event: Event): void => {
-    if ((event.target as HTMLDetailsElement).open) void this.list(null);
-  };
 
   private async list(drop: string | null): Promise<void> {
     this.kept = (await this.asked("guidanceShelf", { drop })) ?? this.kept;
+    this.tell();
   }
 
   private readonly choose = async (): Promise<void> => {
@@ -178,7 +173,13 @@ export class GuidancePanel extends Part {
   private readonly close = async (): Promise<void> => {
     await this.asked("closeGuidance", {});
     this.opened = [];
+    this.tell();
   };
+
+  private tell(): void {
+    const models = [...this.opened, ...this.kept.filter(({ sha256 }) => !this.opened.some((open) => open.sha256 === sha256))];
+    this.dispatchEvent(new CustomEvent<readonly Facts[]>("models", { detail: models }));
+  }
 
   /** Null where it did not work out: then it is said why. */
   private async asked<K extends CallName>(call: K, given: Calls[K]["arguments"]): Promise<Calls[K]["answer"] | null> {
