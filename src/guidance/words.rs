@@ -38,7 +38,7 @@ impl WordTable {
         let remedy = "give a word table, NAME.json with NAME.bin beside it";
         let TableFile { kind, embed, sha256, words } = json(file, remedy)?;
         let fault = |problem: String| Error::input(file.display().to_string(), problem, remedy);
-        if kind != "word-table-v1" && kind != "words-v1" {
+        if kind != "word-table-v1" {
             return Err(fault(format!("is of kind {kind}, and a word-table-v1 is needed")));
         }
         let count = words.len();
@@ -185,7 +185,7 @@ mod tests {
         assert_eq!(dictionary.vector(" Black dog").unwrap(), [0.6, -0.8]);
         let unknown = dictionary.vector("log").unwrap_err();
         assert!(unknown.is_bad_input() && unknown.to_string().contains("such as dog, "), "{unknown}");
-        let scaled = table(&["dog"], &[3, 4, 0, 0, 0, 64], "words-v1").unwrap();
+        let scaled = table(&["dog"], &[3, 4, 0, 0, 0, 64], "word-table-v1").unwrap();
         assert_eq!(scaled.vector("dog").unwrap(), [0.6, 0.8]);
         assert!(Dictionary::of(&facts(), 3, Some(scaled), None).is_err());
     }
@@ -193,10 +193,10 @@ mod tests {
     #[test]
     fn spoilt_tables_are_refused() {
         assert!(table(&["dog"], &[1, 2], "prompts-v1").unwrap_err().to_string().contains("prompts-v1"));
-        assert!(table(&["dog"], &[1, 2, 3], "words-v1").unwrap_err().to_string().contains("3 bytes"));
-        assert!(table(&["dog"], &[0, 0], "words-v1").unwrap_err().to_string().contains("\"dog\""));
-        assert!(table(&["dog"], &[1; 9], "words-v1").unwrap_err().to_string().contains("at most 6"));
-        assert!(table(&[], &[], "words-v1").is_err());
+        assert!(table(&["dog"], &[1, 2, 3], "word-table-v1").unwrap_err().to_string().contains("3 bytes"));
+        assert!(table(&["dog"], &[0, 0], "word-table-v1").unwrap_err().to_string().contains("\"dog\""));
+        assert!(table(&["dog"], &[1; 9], "word-table-v1").unwrap_err().to_string().contains("at most 6"));
+        assert!(table(&[], &[], "word-table-v1").is_err());
         assert!(WordTable::open(Path::new("none.json")).unwrap_err().to_string().contains("none.json"));
     }
 

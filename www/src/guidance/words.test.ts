@@ -7,7 +7,7 @@ const ROWS = [[100, 10, 0], [99, 12, 0], [90, 40, 0], [88, 45, 0], [0, 100, 0], 
 const RAW = new Uint8Array(Int8Array.from(ROWS.flat()).buffer);
 
 const sha256 = (bytes: Uint8Array): string => createHash("sha256").update(bytes).digest("hex");
-const json = (change: object = {}, bytes = RAW): string => JSON.stringify({ kind: "words-v1", embed: 3, count: WORDS.length, sha256: sha256(bytes), words: WORDS, ...change });
+const json = (change: object = {}, bytes = RAW): string => JSON.stringify({ kind: "word-table-v1", embed: 3, sha256: sha256(bytes), words: WORDS, ...change });
 const words = await Words.open(json(), RAW, "x.words.json");
 
 it("gives unit vectors, with scales behind the rows or without", async () => {
@@ -49,7 +49,6 @@ it("refuses what is no table", async () => {
     ["{", RAW, /not JSON/],
     [json({ kind: "prompts-v1" }), RAW, /'kind'/],
     [json({ embed: 1e9 }), RAW, /'embed'/],
-    [json({ count: 3 }), RAW, /as many as 'count'/],
     [json({ words: WORDS.map(() => 7) }), RAW, /'words' must be texts/],
     [json(), RAW.slice(1), /have 35 bytes and should have 36/],
     [json(), RAW.map((byte) => byte ^ 1), /another file, or are damaged/],

@@ -1,6 +1,6 @@
 /**
- * Words with their vectors: `NAME.words.json` {kind: "words-v1", embed: E, count: n, sha256, words: [n texts]} and a file of n
- * rows of E int8 numbers whose checksum that is. Rows are directions alone, so a scale a row (n float32 behind them) may follow
+ * Words with their vectors: `words.json` {kind: "word-table-v1", embed: E, sha256, words: [n texts]} and `words.bin`, n rows of E
+ * int8 numbers whose checksum that is. Rows are directions alone, so a scale a row (n float32 behind them) may follow
  * and is not needed.
  */
 
@@ -88,9 +88,8 @@ function read(text: string, file: string): { readonly words: readonly string[]; 
   const all = Fields.of(text, (what) => {
     throw new GuidanceError(file, `“${file}” is no table of words: ${what} Fetch it again.`);
   });
-  all.word("kind", ["words-v1"]);
+  all.word("kind", ["word-table-v1"]);
   const words = all.texts("words", MOST_WORDS);
-  if (words.length !== all.whole("count", 1, MOST_WORDS)) all.fail("'words' must be as many as 'count' says.");
   return { words, embed: all.whole("embed", 1, MOST_EMBED), sha256: all.text("sha256") };
 }
 
