@@ -90,7 +90,7 @@ export class Model<K extends Kind = Kind> {
     return this.session !== null && !this.gaveUp;
   }
 
-  /** Gives its memory back. */
+  /** Leaves its memory to the next one; a wasm memory never shrinks, so only the worker's end gives it back. */
   async release(): Promise<void> {
     const { session } = this;
     this.session = null;

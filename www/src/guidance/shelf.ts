@@ -30,12 +30,10 @@ export interface Found extends Entry {
 
 const CACHE = "wire4d-guidance-v1";
 /** Addresses that only name what is kept; nothing is fetched from there. */
-const [ENTRY, FILE] = ["entry", "file"].map((part) => (sha256: string): string => `/wire4d-guidance/${sha256}/${part}`) as [(sha256: string) => string, (sha256: string) => string];
+const ENTRY = (sha256: string): string => `/wire4d-guidance/${sha256}/entry`;
+const FILE = (sha256: string): string => `/wire4d-guidance/${sha256}/file`;
 
 export class Shelf {
-  /** Undefined where the browser keeps nothing: in some private windows, and without https. */
-  constructor(private readonly storage: Pick<CacheStorage, "open"> | undefined = (self as { readonly caches?: CacheStorage }).caches) {}
-
   /** Newest first. What cannot be read any more is dropped; a browser that keeps nothing has an empty shelf. */
   async list(): Promise<Kept[]> {
     const cache = await this.cache().catch(() => null);
@@ -90,7 +88,9 @@ export class Shelf {
   }
 
   private async cache(): Promise<Cache> {
-    if (!this.storage) throw new GuidanceError("", "This browser keeps nothing for this page.");
-    return this.storage.open(CACHE);
+    // Missing in some private windows, and without https.
+    const { caches } = self as { readonly caches?: CacheStorage };
+    if (!caches) throw new GuidanceError("", "This browser keeps nothing for this page.");
+    return caches.open(CACHE);
   }
 }

@@ -94,7 +94,7 @@ export class ModelShelf extends Part {
       <input type="file" multiple accept=".onnx,.json" aria-label="Model files: .onnx and .json" hidden @change=${this.choose} />
       ${chosen && !opening ? this.choice(chosen.from, chosen.facts) : nothing}
       <div role="status">${opening ? this.progress(opening) : this.opened.map((model) => this.ready(model))}</div>
-      ${this.opened.length && !opening ? html`<button class="plain" @click=${this.close}>Close, and give its memory back</button>` : nothing}
+      ${this.opened.length && !opening ? html`<button class="plain" @click=${this.close}>Close it</button>` : nothing}
       ${problem ? html`<p class="problem" role="alert">${problem}</p>` : nothing}
       ${kept.length ? html`<h3>Kept in this browser</h3><ul>${kept.map((model) => this.row(model))}</ul>` : nothing}`;
   }
