@@ -23,18 +23,21 @@ const contentSecurityPolicy: Plugin = {
  */
 const isOfStudio = (id: string): boolean => /\/src\/(state|tasks)\/.*\.ts$/.test(id) && !/\/(parts|example|engine)\/|\/(help|png16|rare)\./.test(id);
 
+/** A script that is left as it came ends in `.js`: not every host knows `.mjs` for a script. */
+const assetFileNames = ({ names }: { readonly names: readonly string[] }): string => `assets/[name]-[hash]${names[0]?.endsWith(".mjs") ? ".js" : "[extname]"}`;
+
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
   plugins: [contentSecurityPolicy],
-  worker: { format: "es" },
+  worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {
     outDir: "../dist",
     emptyOutDir: true,
     target: "es2022",
     assetsInlineLimit: 0,
-    rolldownOptions: { output: { codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } } },
+    rolldownOptions: { output: { assetFileNames, codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } } },
   },
   test: {
     projects: [

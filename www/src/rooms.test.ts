@@ -11,6 +11,7 @@ const SRC = import.meta.dirname;
  */
 const ROOMS: readonly string[] = [
   "embed",
+  "guidance",
   "engine",
   "state/common",
   "state/picture",
@@ -111,9 +112,9 @@ it("loads no element of a task before it is looked at", () => {
 
 describe("a task's name", () => {
   const NAMES = ["multiview", "stroke", "fill"];
-  /** A name as a string of its own, or as the key of a record. Groups of settings have like names, and so do styles and canvases. */
+  /** A name as a string of its own, or as the key of a record. Groups of settings have like names, and so do styles, canvases and sidecars. */
   const naming = (text: string): string[] => {
-    const code = text.replace(/css`[^`]*`|\/\*[^]*?\*\/|\/\/.*|readonly group: .*|GROUPS[^;]*;/g, "");
+    const code = text.replace(/css`[^`]*`|\/\*[^]*?\*\/|\/\/.*|readonly group: .*|GROUPS[^;]*;|\.word\("fill"/g, "");
     return NAMES.filter((name) => new RegExp(`["'\`]${name}["'\`]|[{,]\\s*${name}:|\\bdesks\\.${name}\\b|\\bgiven\\.${name}\\b`).test(code));
   };
 

@@ -38,3 +38,5 @@ def test_can_be_made_again(tmp_path):
     # Byte-equal with the pinned exporter; another one may order its nodes otherwise, so only the contract is asked for.
     again, before = sidecar.read(tmp_path / "vit-tiny.json"), sidecar.read(FIXTURE / "vit-tiny.json")
     assert again["io"] == before["io"]
+    for name in ("formulas.json", "text-tiny.tokenizer.json"):
+        assert sidecar.read(tmp_path / name) == sidecar.read(FIXTURE / name)

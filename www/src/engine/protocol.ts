@@ -2,6 +2,11 @@
 
 import type { WireShape } from "../embed/shape";
 import type { View } from "../embed/view";
+import type { Answers, Kind } from "../guidance/contract";
+import type { Facts } from "../guidance/model";
+import type { Provider } from "../guidance/runtime";
+import type { Opened, Question, Source } from "../guidance/service";
+import type { Kept } from "../guidance/shelf";
 import type * as core from "./generated/core";
 
 export type { View };
@@ -173,6 +178,16 @@ export interface Calls {
   open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
   /** A wire.json in another format; `view` is the name of the view an SVG draws. */
   export: { arguments: ExportArguments; answer: Uint8Array<ArrayBuffer> };
+  /** What a network from elsewhere is, before anything of it is used. */
+  lookAtGuidance: { arguments: { from: Source }; answer: Facts };
+  /** Opens it, in place of the one of its kind that is open; it tells how far that is, and keeps the files if asked to. */
+  openGuidance: { arguments: { from: Source; prefer: Provider; keep: boolean }; answer: Opened };
+  /** Asks an open network. */
+  askGuidance: { arguments: { question: Question }; answer: Answers[Kind] };
+  /** Closes all that are open, and gives up what is being opened: that call then fails. */
+  closeGuidance: { arguments: object; answer: void };
+  /** What this browser keeps, newest first, after the one with that checksum was dropped. */
+  guidanceShelf: { arguments: { drop: string | null }; answer: Kept[] };
 }
 
 export type CallName = keyof Calls;
@@ -188,6 +203,8 @@ export type News =
   | { news: "note"; words: string }
   /** Of what is asked before a run, and takes a while. */
   | { news: "share"; share: number }
+  /** Of a network that is being opened. */
+  | { news: "guidance"; words: string; share: number }
   /** When a run starts, and when it changes on the way. */
   | { news: "place"; place: Place }
   | { news: "targets"; targets: readonly Target[] }

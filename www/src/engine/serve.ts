@@ -20,7 +20,22 @@ const handlers: Handlers = {
   peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
   export: async (given) => (await loaded()).export(given),
+  lookAtGuidance: async ({ from }) => (await guidance()).look(from),
+  openGuidance: async ({ from, prefer, keep }, tell) => (await guidance()).open(from, prefer, keep, (words, share) => tell({ news: "guidance", words, share })),
+  askGuidance: async ({ question }) => (await guidance()).ask(question),
+  closeGuidance: async () => (await guidance()).closeAll(),
+  guidanceShelf: async ({ drop }) => (await guidance()).kept(drop),
 };
+
+/** Comes when somebody asks for it. */
+async function guidance(): Promise<typeof import("../guidance/service")> {
+  try {
+    return await import("../guidance/service");
+  } catch (error) {
+    console.error(error);
+    throw new Error("The part of the engine that opens models could not be loaded. Check the connection and try again.");
+  }
+}
 
 async function run({ task, work, settings, from }: Calls["run"]["arguments"]): Promise<Finished> {
   if (pull) throw new Error("A run is under way already; stop it first.");

@@ -12,6 +12,8 @@ export const FIRST_VIEW_KB = 200;
 export const WASM_KB = 740;
 /** The module that reads mesh files, which is fetched when somebody brings one. */
 export const MESH_KB = 165;
+/** What computes networks from files, a script and a module: on the processor, and on a graphics card. Fetched when one is opened. */
+export const RUNTIME_KB = { "ort.wasm": 3_900, "ort.webgpu": 6_800 } as const;
 export const STAGE_KB = 40;
 
 /** Every file but the main wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
@@ -39,6 +41,14 @@ export function wasmBytes(name: "wire4d" | "wire4d_model"): number {
   return gzipSync(readFileSync(join(DIST, "assets", file))).length;
 }
 
+/** Of one of the two runtimes for networks, gzipped. */
+export function runtimeBytes(name: keyof typeof RUNTIME_KB): number {
+  const [script, module] = { "ort.wasm": [/^ort\.wasm\./, /^ort-wasm-simd-threaded-/], "ort.webgpu": [/^ort\.webgpu\./, /^ort-wasm-simd-threaded\.asyncify-/] }[name] as [RegExp, RegExp];
+  const files = readdirSync(join(DIST, "assets")).filter((file) => script.test(file) || module.test(file));
+  if (files.length !== 2) throw new Error(`${name} is not in ${DIST}; \`cargo xtask build\` makes it`);
+  return files.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, "assets", file))).length, 0);
+}
+
 /** The stage bundled alone, as somebody else's page would embed it; a library build keeps its white space. */
 export async function stageBytes(): Promise<number> {
   const embed = join(ROOT, "www/src/embed");
@@ -60,6 +70,8 @@ export async function sizes(): Promise<Account> {
     row("first view without wasm, gzipped", FIRST_VIEW_KB, total(sent)),
     row("wasm, gzipped", WASM_KB, wasmBytes("wire4d")),
     row("wasm for mesh files, gzipped", MESH_KB, wasmBytes("wire4d_model")),
+    row("guidance runtime, gzipped, fetched when guidance is switched on", RUNTIME_KB["ort.wasm"], runtimeBytes("ort.wasm")),
+    row("the same for a graphics card", RUNTIME_KB["ort.webgpu"], runtimeBytes("ort.webgpu")),
     row("stage module, gzipped", STAGE_KB, await stageBytes()),
   ];
   return { rows, notes: ["First view:", ...sent.map(({ file, bytes }) => `- ${kb(bytes)} ${file}`), ""] };
