@@ -90,14 +90,15 @@ impl Graph {
         let fault = |problem: String, remedy: &str| Error::input(name, problem, remedy);
         let adapted = adapt(file)
             .map_err(|_| fault("is damaged, or no ONNX file".into(), "export it again with tools/guidance"))?;
+        let unopened = |why: &str| {
+            let remedy = "export the network with tools/guidance, or run it in the page";
+            fault(format!("cannot be opened here ({why})"), remedy)
+        };
         // Whoever wrote the file, a flaw of its reader must not take the run with it.
-        let model =
-            catch_unwind(|| Model::load(adapted)).unwrap_or_else(|_| Model::load(Vec::new())).map_err(|error| {
-                fault(
-                    format!("cannot be opened here ({error})"),
-                    "export the network with tools/guidance, or run it in the page",
-                )
-            })?;
+        let model = match catch_unwind(|| Model::load(adapted)) {
+            Ok(model) => model.map_err(|error| unopened(&error.to_string()))?,
+            Err(_) => return Err(unopened("its operators do not fit together")),
+        };
         let found = |ids: &[NodeId], ports: Vec<Port>, side: &str| {
             if ids.len() != ports.len() {
                 let remedy = "export the network with tools/guidance";
