@@ -37,6 +37,12 @@ impl Rng {
         low + (high - low) * self.unit()
     }
 
+    /// Normally distributed, mean 0 and variance 1 (Box and Muller 1958).
+    pub fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
+        radius * (std::f64::consts::TAU * self.unit()).cos()
+    }
+
     /// Uniform integer in `0..count`. `count` must be at least 1.
     pub fn below(&mut self, count: usize) -> usize {
         ((self.unit() * count as f64) as usize).min(count - 1)
@@ -67,5 +73,13 @@ mod tests {
         assert_eq!(take(7, 1), take(7, 1));
         assert_ne!(take(7, 1), take(8, 1));
         assert_ne!(take(7, 1), take(7, 2));
+    }
+
+    #[test]
+    fn normal_numbers_are_normal() {
+        let mut rng = Rng::new(3, 1);
+        let found: Vec<f64> = (0..40_000).map(|_| rng.normal()).collect();
+        let moment = |power: i32| found.iter().map(|value| value.powi(power)).sum::<f64>() / found.len() as f64;
+        assert!(moment(1).abs() < 0.02 && (moment(2) - 1.0).abs() < 0.03 && (moment(4) - 3.0).abs() < 0.25);
     }
 }

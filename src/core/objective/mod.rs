@@ -15,8 +15,8 @@ mod warp;
 pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradient};
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
 pub use guidance::{
-    Aim, Answer, Batch, Guidance, Guides, Learned, Look, Member, Network, PICTURE_WEIGHT, Patch, Progress, Rendered,
-    WORDS_WEIGHT, similarity,
+    Aim, Annealing, Answer, Batch, Denoiser, Diffusion, Distilled, Encoder, Guidance, Guides, Latent, Learned, Look,
+    Member, Network, PICTURE_WEIGHT, Patch, Progress, Prompt, Rendered, WORDS_WEIGHT, relative_pose, similarity,
 };
 pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};
 pub use regularisers::length_and_gradient;

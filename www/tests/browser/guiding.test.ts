@@ -2,32 +2,18 @@
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Page } from "playwright-core";
 import { beforeAll, expect, it } from "vitest";
 import { ROOT } from "./browser";
-import { openSite } from "./site";
+import { openCore, type Core } from "./core";
 
-const PAGE = `<!doctype html><title>core</title><link rel="icon" href="data:,">
-<script type="module">
-  import init, * as core from "./wire4d.js";
-  await init({ module_or_path: "./wire4d_bg.wasm" });
-  window.core = core;
-</script>`;
-
-type Core = typeof import("../../src/engine/wasm/wire4d");
 type Guidance = import("../../src/engine/wasm/wire4d").GuidanceFunction;
 
 /** The example of the documentation, as it stands there. */
 const EXAMPLE = /```js\n([^]*?)```/.exec(readFileSync(join(ROOT, "src/web/run.rs"), "utf8"))![1]!.replaceAll(/^ *\/\/\/ ?/gm, "");
 
-const { browser, site } = await openSite("/", { args: ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"] }, join(ROOT, "www/src/engine/wasm"));
-let page: Page;
+const { page } = await openCore();
 
 beforeAll(async () => {
-  page = await browser.newPage();
-  await page.route("**/core.html", (route) => route.fulfill({ contentType: "text/html", body: PAGE }));
-  await page.goto(`${site.url}core.html`);
-  await page.waitForFunction(() => "core" in window);
   await page.evaluate(() => {
     const { core } = window as unknown as { core: Core };
     const side = 64;

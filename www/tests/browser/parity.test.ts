@@ -1,21 +1,7 @@
 /** The engine on a browser's device against the processor's, without the page: wire by wire, and when the device is lost. */
 
-import { join } from "node:path";
-import type { Page } from "playwright-core";
-import { beforeAll, expect, it } from "vitest";
-import { ROOT } from "./browser";
-import { openSite } from "./site";
-
-/** A device that is a program, so that every machine has one. */
-const WITH_WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
-
-/** Nothing but the core. */
-const PAGE = `<!doctype html><title>core</title><link rel="icon" href="data:,">
-<script type="module">
-  import init, * as core from "./wire4d.js";
-  await init({ module_or_path: "./wire4d_bg.wasm" });
-  window.core = core;
-</script>`;
+import { expect, it } from "vitest";
+import { openCore, type Core } from "./core";
 
 interface Parity {
   readonly wire: string;
@@ -30,17 +16,7 @@ interface Place {
   readonly why: string;
 }
 
-type Core = typeof import("../../src/engine/wasm/wire4d");
-
-const { browser, site } = await openSite("/", { args: WITH_WEBGPU }, join(ROOT, "www/src/engine/wasm"));
-let page: Page;
-
-beforeAll(async () => {
-  page = await browser.newPage();
-  await page.route("**/core.html", (route) => route.fulfill({ contentType: "text/html", body: PAGE }));
-  await page.goto(`${site.url}core.html`);
-  await page.waitForFunction(() => "core" in window);
-});
+const { browser, page } = await openCore();
 
 const parities = (skew: number) =>
   page.evaluate(async (skew) => JSON.parse(await (window as unknown as { core: Core }).core.parities(skew)) as Parity[], skew);
