@@ -189,6 +189,8 @@ mod tests {
     use crate::testing::{FLOAT, Writer, text_encoder};
     use proptest::prelude::*;
 
+    type Change = fn(&mut Vec<Port>, &mut Vec<Port>);
+
     fn ports() -> (Vec<Port>, Vec<Port>) {
         let ids = Port { is_integer: true, ..Port::new("ids", [None, Some(8)]) };
         (vec![ids], vec![Port::new("embedding", [None, Some(2)])])
@@ -222,13 +224,13 @@ mod tests {
 
     #[test]
     fn other_ports_are_refused_by_name() {
-        let open = |change: fn(&mut Vec<Port>, &mut Vec<Port>)| {
+        let open = |change: Change| {
             let (mut inputs, mut outputs) = ports();
             change(&mut inputs, &mut outputs);
             Graph::open("text.onnx", &text_encoder(), inputs, outputs).map(|_| ())
         };
         assert_eq!(open(|_, _| {}), Ok(()));
-        let faults: [(&str, fn(&mut Vec<Port>, &mut Vec<Port>)); 5] = [
+        let faults: [(&str, Change); 5] = [
             ("input ids[batch,8] float32", |inputs, _| inputs[0].is_integer = false),
             ("input tokens[batch,8] int32", |inputs, _| inputs[0].name = "tokens"),
             ("output embedding[batch,3]", |_, outputs| outputs[0].shape[1] = Some(3)),

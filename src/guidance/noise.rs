@@ -53,13 +53,13 @@ mod tests {
     #[test]
     fn numbers_are_those_of_the_python_side() {
         // `noise.uniform(1, (3,))` and `noise.sketch(noise.uniform(1, (130,)))[:2]` there.
-        assert_eq!(uniform(1, 3), UNIFORM);
+        assert_eq!(uniform(1, 3).iter().map(|&u| f64::from(u)).collect::<Vec<_>>(), UNIFORM);
         let sums = sketch(&uniform(1, 130));
         assert!(sums.len() == 64 && sums[..2].iter().zip(SKETCH).all(|(a, b)| (a - b).abs() < 1e-12), "{sums:?}");
         let rows = unit_rows(2, 32, 16);
         assert!(rows.chunks(16).all(|row| (length(row) - 1.0).abs() < 1e-6));
     }
 
-    const UNIFORM: [f32; 3] = [0.0077651143074035645, 0.6223195791244507, 0.02977454662322998];
+    const UNIFORM: [f64; 3] = [0.0077651143074035645, 0.6223195791244507, 0.02977454662322998];
     const SKETCH: [f64; 2] = [-0.4624069333076477, 0.8106173872947693];
 }

@@ -361,10 +361,11 @@ impl Engine for CpuEngine {
         terms: &'a mut [f32],
         d_points: &'a mut Vec<[f32; 4]>,
     ) -> Work<'a> {
-        match self.guides.is_empty() {
-            true => Work::Done(self.evaluate_now(points, step, terms, d_points)),
-            false => Work::later(self.evaluate_async(points, step, terms, d_points)),
+        if self.guides.is_empty() {
+            self.evaluate_now(points, step, terms, d_points);
+            return Work::Done(());
         }
+        Work::later(self.evaluate_async(points, step, terms, d_points))
     }
 
     fn advance<'a>(
@@ -374,10 +375,11 @@ impl Engine for CpuEngine {
         steps: &'a [Step],
         terms: &'a mut [f32],
     ) -> Work<'a> {
-        match self.guides.is_empty() {
-            true => Work::Done(wait(self.advance_async(state, tally, steps, terms))),
-            false => Work::later(self.advance_async(state, tally, steps, terms)),
+        if self.guides.is_empty() {
+            wait(self.advance_async(state, tally, steps, terms));
+            return Work::Done(());
         }
+        Work::later(self.advance_async(state, tally, steps, terms))
     }
 
     fn fetch(&mut self, _: Picture) -> Work<'_> {
