@@ -2,6 +2,7 @@ import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Guide } from "../../engine/protocol";
 import { suggested } from "../../guidance/icon-words";
+import { explain } from "../../state/common/words";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { controls } from "../shared/shared";
@@ -152,11 +153,18 @@ export class GuidePanel extends Part {
 
   private async say(view: string, word: string): Promise<void> {
     this.change({ words: { ...this.guide?.words, [view]: word } });
-    const meant = word && (this.guide?.by ?? ICONS) === ICONS ? await suggested(word, 4).catch(() => [word]) : [word];
-    const first = meant[0];
-    const known = first?.toLowerCase() === word.toLowerCase();
-    const words = first ? `Taken for “${first}”.` : "Not a word that these networks know. Try a plainer one.";
-    this.unknown = { ...this.unknown, [view]: known ? "" : words };
+    this.unknown = { ...this.unknown, [view]: word && (this.guide?.by ?? ICONS) === ICONS ? await this.taken(word) : "" };
+  }
+
+  /** What a word is taken for, if it is not what was typed. */
+  private async taken(word: string): Promise<string> {
+    try {
+      const [first] = await suggested(word, 1);
+      if (!first) return "Not a word that these networks know. Try a plainer one.";
+      return first.toLowerCase() === word.toLowerCase() ? "" : `Taken for “${first}”.`;
+    } catch (error) {
+      return explain(error, "The table of words");
+    }
   }
 
   private async suggest(typed: string): Promise<void> {
