@@ -31,6 +31,13 @@ pub fn command() -> Command {
                         .allow_hyphen_values(true)
                         .help("One more picture, seen from this direction in degrees; all pictures are then placed as given"),
                 )
+                .arg(
+                    Arg::new("neutral")
+                        .long("neutral")
+                        .value_name("WORDS")
+                        .requires("guide")
+                        .help("What the views show at first: they change as --words differ from this, patch by patch"),
+                )
                 .arg(out_folder())
                 .arg(overwrite()),
             Task::Multiview,
@@ -285,13 +292,6 @@ fn with_guidance(command: Command) -> Command {
                 .value_parser(["turned", "whole", "patches"])
                 .default_value("turned")
                 .help("What --guide sees of a view: all of it a little turned, all of it as it is, or 4 x 4 parts"),
-        )
-        .arg(
-            Arg::new("neutral")
-                .long("neutral")
-                .value_name("WORDS")
-                .requires("guide")
-                .help("What the views show at first: they change as --words differ from this, patch by patch"),
         )
         .arg(
             file(

@@ -50,7 +50,8 @@ impl Guiding {
         let text = matches.get_one::<PathBuf>("text").map(PathBuf::as_path);
         let networks = files.iter().map(|file| open(file, table, text)).collect::<Result<Vec<_>>>()?;
         let words = matches.get_many::<String>("words").into_iter().flatten().map(|text| Words::new(text)).collect();
-        let neutral = matches.get_one::<String>("neutral").cloned();
+        // Where views change there is no first picture of each.
+        let neutral = matches.try_get_one::<String>("neutral").ok().flatten().cloned();
         let guiding = Guiding { networks, words, neutral, look, weight };
         for (_, dictionary) in &guiding.networks {
             for words in guiding.words.iter().map(|words| &words.words).chain(&guiding.neutral) {

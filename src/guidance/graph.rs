@@ -186,6 +186,7 @@ fn is_port(model: &Model, id: NodeId, port: &Port) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::few_cases::few_cases;
     use crate::testing::{FLOAT, Writer, text_encoder};
     use proptest::prelude::*;
 
@@ -246,7 +247,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(300))]
+        #![proptest_config(ProptestConfig { cases: 300, ..few_cases() })]
         #[test]
         fn a_file_changed_anywhere_is_refused_or_answers(at in 0usize..1000, to in any::<u8>()) {
             let mut file = text_encoder();

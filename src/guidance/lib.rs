@@ -14,6 +14,9 @@ mod text;
 mod words;
 
 #[cfg(test)]
+#[path = "../core/few_cases.rs"]
+mod few_cases;
+#[cfg(test)]
 mod testing;
 
 pub use network::{Facts, OnnxNetwork};

@@ -8,7 +8,8 @@ use crate::view::Image;
 use crate::work::Work;
 use crate::{Error, Result};
 
-/// Weight of what words say, where the comparison of pictures weighs 1: .5 to 1 in the paper's code.
+/// Weight of what words say, where the comparison of pictures weighs 1: .5 to 1 in the paper's code. That sums its levels up;
+/// a picture's own loss is some .05 here, so that with this weight words win over pictures.
 pub const WORDS_WEIGHT: f32 = 2.0;
 /// Weight of what a picture says, likewise: .2 to 1.
 pub const PICTURE_WEIGHT: f32 = 5.0;
