@@ -36,7 +36,7 @@ def _train(places: Places, given) -> None:
     from . import train
 
     say = lambda *line: print(*line, flush=True)
-    say(train.train(places, given.network, given.steps, given.minutes, say=say))
+    say(train.train(places, given.network, given.steps, given.minutes, given.resume, say=say))
 
 
 def _export(places: Places, given) -> None:
@@ -75,6 +75,7 @@ def _parser() -> argparse.ArgumentParser:
     train.add_argument("network", choices=names)
     train.add_argument("--steps", type=int, default=4000)
     train.add_argument("--minutes", type=float, default=math.inf, help="end earlier, at a low rate, when these are over")
+    train.add_argument("--resume", action="store_true", help="go on from the last checkpoint's weights")
     train.set_defaults(run=_train)
 
     export = verbs.add_parser("export", help="write weights as guidance-v1, and the word table")

@@ -57,11 +57,12 @@ def texts(places: Places) -> dict[str, np.ndarray]:
 
 @dataclass(frozen=True)
 class Lesson:
-    """What one reader trains on: icons `rows` with `odds`, for each the `answer` [n,EMBED], and the `vocabulary`
-    [k,EMBED] whose last row is nothing. `answer` is a mean of vocabulary rows: the softmax's loss needs no more."""
+    """What one reader trains on: icons `rows` with `odds`, for each its `name`'s number in the `vocabulary` [k,EMBED], whose last
+    row is nothing, and the `answer` [n,EMBED]: a mean of vocabulary rows, which is all that a softmax's loss needs."""
 
     rows: np.ndarray
     odds: np.ndarray
+    name: torch.Tensor
     answer: torch.Tensor
     vocabulary: torch.Tensor
 
@@ -79,14 +80,15 @@ def lesson(given: Icons, words: dict[str, np.ndarray], reader: str) -> Lesson:
         times[tag] = times.get(tag, 0) + 1
     known = sorted({*names, *(tag for tag, count in times.items() if count >= RARE)})
     vocabulary = np.stack([words[word] for word in known])
+    at = {word: i for i, word in enumerate(known)}
 
-    answers: dict[str, np.ndarray] = {}
-    for name, some in zip(names, tags):
-        if name not in answers:
-            own = words[name]
-            near = np.exp(SHARPNESS * (vocabulary @ own - 1))
-            told = [words[tag] for tag in some if times[tag] >= RARE] or [own]
-            answers[name] = NAME * own + TAGS * np.mean(told, 0) + NEAR * (near @ vocabulary) / near.sum()
+    unique = sorted(set(names))
+    own = np.stack([words[name] for name in unique])
+    near = np.concatenate([_mean_of_near(part, vocabulary) for part in np.array_split(own, len(own) // 1000 + 1)])
+    some_tags = dict(zip(names, tags))
+    told = [[words[tag] for tag in some_tags[name] if times[tag] >= RARE] or [words[name]] for name in unique]
+    mean = np.stack([np.mean(rows, 0) for rows in told])
+    answers = dict(zip(unique, NAME * own + TAGS * mean + NEAR * near))
     count: dict[str, int] = {}
     for name in names:
         count[name] = count.get(name, 0) + 1
@@ -94,6 +96,13 @@ def lesson(given: Icons, words: dict[str, np.ndarray], reader: str) -> Lesson:
     return Lesson(
         rows,
         odds / odds.sum(),
+        torch.tensor([at[name] for name in names]),
         torch.from_numpy(np.stack([answers[name] for name in names]).astype(np.float32)),
         torch.from_numpy(np.vstack([vocabulary, NOTHING]).astype(np.float32)),
     )
+
+
+def _mean_of_near(rows: np.ndarray, vocabulary: np.ndarray) -> np.ndarray:
+    """For each unit row the mean of the vocabulary, words weighed by how like the row they are."""
+    weight = np.exp(SHARPNESS * (rows @ vocabulary.T - 1))
+    return weight @ vocabulary / weight.sum(1, keepdims=True)

