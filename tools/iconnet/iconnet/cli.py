@@ -9,6 +9,8 @@ from pathlib import Path
 from .errors import IconnetError
 from .places import WEIGHTS, Places
 
+NETWORKS = ("a", "b", "judge")
+
 
 def main(arguments: list[str] | None = None) -> int:
     """0 if all went well, 1 with a sentence on standard error if not, 2 for a wrong command line."""
@@ -51,7 +53,7 @@ def _export(places: Places, given) -> None:
 def _evaluate(places: Places, given) -> None:
     from . import report
 
-    print(report.recalls(places, given.out))
+    print(report.recalls(places, given.out), report.gradients(places, given.out), sep="\n\n")
 
 
 def _guide(places: Places, given) -> None:
@@ -61,29 +63,34 @@ def _guide(places: Places, given) -> None:
     report.trial(places, settings, given.words, given.guides, given.sheet, say=lambda *line: print(*line, flush=True))
 
 
+def _network(text: str) -> str:
+    if text not in NETWORKS:
+        raise argparse.ArgumentTypeError(f"{text!r} is no network: name some of {', '.join(NETWORKS)}")
+    return text
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m iconnet", description="A small joint network of pictures and words.")
     parser.add_argument("--data", type=Path, default=Path("data"), metavar="FOLDER", help="packages, pictures, checkpoints")
     parser.add_argument("--threads", type=int, default=os.cpu_count() or 1)
     verbs = parser.add_subparsers(required=True, metavar="VERB")
-    names = ("a", "b", "judge")
 
     prepare = verbs.add_parser("prepare", help="fetch packages, draw icons and wires, embed words")
     prepare.set_defaults(run=_prepare)
 
     train = verbs.add_parser("train", help="train one network")
-    train.add_argument("network", choices=names)
+    train.add_argument("network", choices=NETWORKS)
     train.add_argument("--steps", type=int, default=4000)
     train.add_argument("--minutes", type=float, default=math.inf, help="end earlier, at a low rate, when these are over")
     train.add_argument("--resume", action="store_true", help="go on from the last checkpoint's weights")
     train.set_defaults(run=_train)
 
     export = verbs.add_parser("export", help="write weights as guidance-v1, and the word table")
-    export.add_argument("networks", nargs="*", choices=names, default=list(names))
+    export.add_argument("networks", nargs="*", type=_network, default=list(NETWORKS), help="none: all three")
     export.add_argument("--out", type=Path, default=WEIGHTS, metavar="FOLDER")
     export.set_defaults(run=_export)
 
-    evaluate = verbs.add_parser("evaluate", help="print recall of the exported networks, alone and together")
+    evaluate = verbs.add_parser("evaluate", help="print recalls of the exported networks, their gradients' errors and their times")
     evaluate.add_argument("--out", type=Path, default=WEIGHTS, metavar="FOLDER", help="where the exported files are")
     evaluate.set_defaults(run=_evaluate)
 

@@ -26,8 +26,8 @@ def svg(body: str) -> str:
     )
 
 
-@pytest.fixture
-def places(tmp_path) -> Places:
+@pytest.fixture(scope="session")
+def places(tmp_path_factory) -> Places:
     random = np.random.default_rng(0)
     names = {shape: next(f"{shape} {k}" for k in range(99) if not split.held_out(f"{shape} {k}")) for shape in SHAPES}
     held = next(f"held {k}" for k in range(99) if split.held_out(f"held {k}"))
@@ -37,7 +37,7 @@ def places(tmp_path) -> Places:
     shown = [render.ink(svg(body)) for _ in range(12) for body in SHAPES.values()]
     shown += [render.ink(svg(SHAPES["ring"])), *(render.ink(svg(body)) for body in SHAPES.values())]
     wired = [np.stack([wires.wire(wires.lines(ink), random) for _ in range(prepare.WIRES)]) for ink in shown]
-    found = Places(tmp_path)
+    found = Places(tmp_path_factory.mktemp("data"))
     found.icons.write_text(json.dumps(rows))
     np.save(found.pictures, np.stack(shown))
     np.save(found.wires, np.stack(wired))

@@ -50,14 +50,14 @@ def test_networks_are_small_and_smooth(name):
     assert slope[0, 0, 30, 31].item() == pytest.approx(wanted.item(), rel=1e-4)
 
 
-@pytest.fixture
-def learnt(places, monkeypatch):
+@pytest.fixture(scope="module")
+def learnt(places):
     """Network `a` after a short training on the made-up icons."""
-    monkeypatch.setattr(train, "BATCH", 24)
-    monkeypatch.setattr(train, "AGAIN", 8)
-    monkeypatch.setattr(train, "POOL", 8)
     plan = dataclasses.replace(train.PLANS["a"], wires=0.3, hurt=0.5)
-    train.train(places, "a", 150, plan=plan, say=lambda *_: None)
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in {"BATCH": 24, "AGAIN": 8, "POOL": 8, "FOES": 4}.items():
+            patch.setattr(train, name, value)
+        train.train(places, "a", 120, plan=plan, say=lambda *_: None)
     return export.trained(places, "a").requires_grad_(False)
 
 
