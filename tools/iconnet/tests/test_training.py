@@ -93,7 +93,7 @@ def test_adversaries_climb_and_start_again(places, learnt):
 
 
 def test_guide_raises_the_cosine_and_stays_in_the_picture(places, learnt):
-    row = next(iter(data.texts(places).values()))
+    row = list(data.texts(places).values())[1]  # not the ring, which the curve starts as
     settings = guide.Settings(steps=25, views=2, controls=24)
     ink, cosine = guide.guide([learnt], row, settings)
     _, before = guide.guide([learnt], row, dataclasses.replace(settings, steps=0))
