@@ -1,0 +1,7 @@
+"""`python -m iconnet`."""
+
+import sys
+
+from .cli import main
+
+sys.exit(main())

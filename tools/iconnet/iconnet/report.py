@@ -1,0 +1,132 @@
+"""Figures for people: recalls of the exported files, and the guidance trial with its sheet."""
+
+import time
+from pathlib import Path
+
+import numpy as np
+import torch
+from PIL import Image, ImageDraw
+
+from . import data, evaluate, export, guide, views
+from .places import Places, need
+from .table import Table
+from .words import EMBED
+
+GUIDE_OPTIONS = ("controls", "steps", "rate", "views", "width", "smooth", "start", "starts", "seed")
+TILE = 192
+NAMES = ("a", "b", "judge")
+
+
+def recalls(places: Places, folder: Path) -> str:
+    """A Markdown table: each exported network, and a and b together (the mean of their unit rows), on pictures and on wires."""
+    icons, table = data.icons(places), Table(folder)
+    words = dict(zip(table.words, table.rows))
+    lines = ["| network | test | shown as | R@1 | R@5 | R@10 | median rank | names |", "|---|---|---|---|---|---|---|---|"]
+    for test in evaluate.TESTS:
+        which = evaluate.rows(icons, test)
+        names = [icons.names[i] for i in which]
+        strange = evaluate.strange(icons, which)
+        for shown, pictures in (("icons", icons.pictures[which]), ("wires", icons.wires[which, 0])):
+            rows = {name: _embedded(folder, name, pictures) for name in NAMES}
+            rows["a + b"] = rows["a"] + rows["b"]
+            for name in ("a", "b", "a + b", "judge"):
+                rank = evaluate.ranks(rows[name], names, words)
+                kinds = [(test, np.ones(len(rank), bool))]
+                if test == "held-out":
+                    kinds.append((f"{test}, strange words only", strange))
+                for kind, part in kinds:
+                    r = evaluate.recall(rank[part], len(set(names)))
+                    lines.append(
+                        f"| {name} | {kind} ({part.sum()}) | {shown} | {r.first:.3f} | {r.five:.3f} | {r.ten:.3f} "
+                        f"| {r.middle} | {r.candidates} |"
+                    )
+    return "\n".join(lines)
+
+
+def gradients(places: Places, folder: Path) -> str:
+    """A Markdown table: each exported file's gradient against central differences along 24 directions, half of them the
+    gradient's own, on wires; and processor time of a run with 1 and with 8 views."""
+    icons, table = data.icons(places), Table(folder)
+    which = evaluate.rows(icons, "held-out")[:12]
+    pictures = 1 - views.plain(torch.from_numpy(np.ascontiguousarray(icons.wires[which, 0]))).numpy().repeat(3, 1)
+    random, step = np.random.default_rng(0), np.float32(0.02)
+    lines = ["| network | worst difference | ms for 1 view | ms a view, of 8 |", "|---|---|---|---|"]
+    for name in NAMES:
+        session, worst = _session(folder, name), 0.0
+        loss = lambda image, target: float(_run(session, image, target)["loss"])
+        for picture, row in zip(pictures[:, None], table.rows[:: len(table.rows) // 12]):
+            grad = _run(session, picture, row[None])["grad"].astype(np.float64)
+            size = np.linalg.norm(grad)
+            other = random.normal(size=grad.shape)
+            for way in (grad / size, grad / size / 2**0.5 + other / np.linalg.norm(other) / 2**0.5):
+                ahead, behind = ((picture + sign * step * way).astype(np.float32) for sign in (1, -1))
+                found = (loss(ahead, row[None]) - loss(behind, row[None])) / (2 * step)
+                worst = max(worst, abs(found - float((grad * way).sum())) / size)
+        times = [_milliseconds(session, pictures[:n], table.rows[:n]) / n for n in (1, 8)]
+        lines.append(f"| {name} | {worst:.1e} of the gradient's length | {times[0]:.1f} | {times[1]:.1f} |")
+    return "\n".join(lines)
+
+
+def _session(folder: Path, name: str):
+    export.exporter()
+    from guidance.runtime import Session
+
+    return Session(need(folder / f"iconnet-{name}.onnx", "export"))
+
+
+def _run(session, image: np.ndarray, target: np.ndarray) -> dict[str, np.ndarray]:
+    """The plain loss, each picture weighing 1."""
+    feeds = {"image": image, "source": np.zeros_like(target), "target": target, "weight": np.ones(len(image), np.float32)}
+    return session.run(feeds)
+
+
+def _milliseconds(session, image: np.ndarray, target: np.ndarray, times: int = 30) -> float:
+    """Of one processor, and so about right on a busy machine too."""
+    _run(session, image, target)
+    began = time.process_time()
+    for _ in range(times):
+        _run(session, image, target)
+    return (time.process_time() - began) / times * 1e3
+
+
+def _embedded(folder: Path, name: str, pictures: np.ndarray) -> np.ndarray:
+    """Unit rows [n,EMBED] by the exported file itself."""
+    session, rows = _session(folder, name), []
+    for start in range(0, len(pictures), 64):
+        ink = views.plain(torch.from_numpy(np.ascontiguousarray(pictures[start : start + 64]))).numpy()
+        rows.append(_run(session, 1 - ink.repeat(3, 1), np.zeros((len(ink), EMBED), np.float32))["embedding"])
+    return np.concatenate(rows)
+
+
+def trial(places: Places, settings: guide.Settings, words: list[str], guides: str, sheet: Path | None, say=print) -> list:
+    """Prints each word's outcome as it comes, and writes `sheet` if one is asked for."""
+    icons, rows = data.icons(places), data.texts(places)
+    judge = guide.Judge(export.trained(places, "judge"), icons, rows)
+    networks = [export.trained(places, name) for name in guides]
+    words = words or guide.test_words(icons)
+    say(f"{settings}, guided by {' and '.join(guides)}")
+    outcomes = []
+    for word in words:
+        (outcome,) = guide.trial(networks, judge, [word], rows, settings)
+        outcomes.append(outcome)
+        say(f"{word}: rank {outcome.rank} of {outcome.of}, cosine {outcome.cosine:.2f}; judge: {', '.join(outcome.first)}")
+    ranks = np.array([o.rank for o in outcomes])
+    say(f"rank <= 10: {(ranks <= 10).sum()}, <= 50: {(ranks <= 50).sum()}, <= 100: {(ranks <= 100).sum()} of {len(ranks)}; "
+        f"median {int(np.median(ranks))}")  # fmt: skip
+    if sheet:
+        _sheet(outcomes, sheet)
+    return outcomes
+
+
+def _sheet(outcomes: list, file: Path) -> None:
+    """Five a row, each with its word and rank below."""
+    across = 5
+    down = -(-len(outcomes) // across)
+    paper = Image.new("L", (across * TILE, down * (TILE + 16)), 255)
+    pen = ImageDraw.Draw(paper)
+    for i, outcome in enumerate(outcomes):
+        x, y = i % across * TILE, i // across * (TILE + 16)
+        paper.paste(Image.fromarray(255 - outcome.ink).resize((TILE, TILE), Image.Resampling.BICUBIC), (x, y))
+        pen.text((x + 4, y + TILE), f"{outcome.word} ({outcome.rank})", fill=0)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    paper.save(file)
