@@ -33,7 +33,7 @@ fn a_perturbed_wire_finds_its_pictures_again() {
     assert!(rows[299][0] < 0.1 * rows[0][0]);
     let columns = &session.history().columns;
     assert_eq!(columns[..8], ["total", "front", "side", "top", "jerk", "length", "surface", "texture"]);
-    assert_eq!(columns[8..], ["bending", "tightness", "evenness", "clearance"]);
+    assert_eq!(columns[8..], ["bending", "tightness", "evenness", "clearance", "guidance"]);
 }
 
 #[test]
