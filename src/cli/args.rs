@@ -282,7 +282,7 @@ fn with_guidance(command: Command) -> Command {
                 .value_name("N")
                 .value_parser(value_parser!(f32))
                 .allow_negative_numbers(true)
-                .default_value("0.5")
+                .default_value("0.3")
                 .help("Weight of what --guide says, where the comparison of pictures weighs 1; from 2 on words win over pictures"),
         )
         .arg(

@@ -10,7 +10,7 @@ import "./model-shelf";
 import type { Facts } from "./model-shelf";
 
 export const ICONS = "icons";
-const WEIGHTS = { usual: 2, most: 10, step: 0.5 } as const;
+const WEIGHTS = { usual: 0.3, most: 3, step: 0.1 } as const;
 
 /** Words beside each picture, how strongly they pull, and whose idea of them counts. */
 @customElement("guide-panel")
