@@ -12,6 +12,7 @@ from torch.nn import functional as F
 
 from . import curves, evaluate
 from .data import Icons
+from .errors import WordError
 from .words import unit
 
 
@@ -44,23 +45,25 @@ class Outcome:
 
 
 class Judge:
-    """Ranks all names of both tests for a picture; scores are centred over OpenMoji's and the held-out icons' pictures."""
+    """Ranks a word among all names of both tests for a picture; embeddings are centred over wires of the tests' icons."""
 
     def __init__(self, network, icons: Icons, words: dict[str, np.ndarray]):
-        self.network = network
+        self.network, self.words = network, words
         which = np.concatenate([evaluate.rows(icons, test) for test in evaluate.TESTS])
         self.names = sorted({icons.names[i] for i in which})
         text = np.stack([words[name] for name in self.names])
-        self.text = unit(text - text.mean(0))
-        self.usual = (evaluate.embeddings(network, icons.wires[which, 0]) @ self.text.T).mean(0)
+        self.centre = text.mean(0)
+        self.text = unit(text - self.centre)
+        self.usual = evaluate.embeddings(network, icons.wires[which, 0]).mean(0)
 
     def __call__(self, ink: torch.Tensor, word: str) -> tuple[int, list[str]]:
-        """Of one picture [1,1,64,64]: the word's rank from 1, and the first four names."""
+        """Of one picture [1,1,64,64]: the word's rank from 1, whether it is one of the names or not, and the first four names."""
         self.network.eval()
         with torch.no_grad():
-            score = F.normalize(self.network(ink), dim=1).numpy() @ self.text.T - self.usual
-        order = np.argsort(-score[0])
-        return int(np.where(order == self.names.index(word))[0][0]) + 1, [self.names[i] for i in order[:4]]
+            seen = F.normalize(self.network(ink), dim=1)[0].numpy() - self.usual
+        score, own = self.text @ seen, float(unit(self.words[word] - self.centre) @ seen)
+        others = np.array([name != word for name in self.names])
+        return int((score[others] > own).sum()) + 1, [self.names[i] for i in np.argsort(-score)[:4]]
 
 
 def test_words(icons: Icons, n: int = 20, seed: int = 0) -> list[str]:
@@ -103,9 +106,11 @@ def guide(networks: list, row: np.ndarray, settings: Settings) -> tuple[torch.Te
 
 
 def trial(guides: list, judge: Judge, words: list[str], rows: dict[str, np.ndarray], settings: Settings) -> list[Outcome]:
-    """One Outcome a word."""
+    """One Outcome a word. Raises WordError for a word that no icon bears as its name or tag."""
     outcomes = []
     for word in words:
+        if word not in rows:
+            raise WordError(f"{word!r} is neither a name nor a tag of any icon. Try a plainer word for it.")
         ink, cosine = guide(guides, rows[word], settings)
         rank, first = judge(ink, word)
         picture = (ink[0, 0] * 255).round().byte().numpy()

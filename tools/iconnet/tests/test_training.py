@@ -7,7 +7,7 @@ from torch.nn import functional as F
 
 from iconnet import curves, data, evaluate, export, guide, networks, split, train
 from iconnet.adversaries import Adversaries
-from iconnet.errors import MissingStep
+from iconnet.errors import MissingStep, WordError
 from iconnet.places import Places
 from iconnet.words import EMBED, NOTHING
 
@@ -99,3 +99,13 @@ def test_guide_raises_the_cosine_and_stays_in_the_picture(places, learnt):
     _, before = guide.guide([learnt], row, dataclasses.replace(settings, steps=0))
     assert cosine > before + 0.05
     assert ink.shape == (1, 1, 64, 64) and ink[..., 0, :].max() < 0.5
+
+
+def test_a_judge_ranks_what_is_shown_first_and_names_an_unknown_word(places, learnt):
+    icons, words = data.icons(places), data.texts(places)
+    judge = guide.Judge(learnt, icons, words)
+    which = evaluate.rows(icons, "openmoji")
+    ranks = [judge(torch.from_numpy(icons.pictures[i][None, 16:80, 16:80] / np.float32(255))[None], icons.names[i])[0] for i in which]
+    assert np.median(ranks) <= 2
+    with pytest.raises(WordError, match="'gnu'"):
+        guide.trial([learnt], judge, ["gnu"], words, guide.Settings(steps=1))
