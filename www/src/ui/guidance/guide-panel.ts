@@ -130,8 +130,8 @@ export class GuidePanel extends Part {
       </label>
       ${by === ICONS
         ? html`<p class="small quiet">
-            Two networks of ours, trained on icons: with their words and a runtime about 8 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they
-            were trained on is MIT, ISC and Apache-2.0.
+            Two networks of ours, trained on icons: with their words and a runtime about 7 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they
+            were trained on is MIT, ISC, Apache-2.0 or CC0.
           </p>`
         : nothing}
       <details>
