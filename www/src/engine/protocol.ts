@@ -162,13 +162,16 @@ export interface ExportArguments {
   readonly view: string;
 }
 
+/** Of a guide: the small networks that come with the page. */
+export const ICONS = "icons";
+
 /** Words that guide a run beside its pictures. */
 export interface Guide {
   /** By the view's name; a view without is not guided. */
   readonly words: Readonly<Record<string, string>>;
   /** Against the pictures' own loss, from 0. */
   readonly weight: number;
-  /** Whose idea of the words counts: `icons` for the small networks that come with the page, or the sha256 of a file of one. */
+  /** Whose idea of the words counts: `ICONS`, or the sha256 of a file of one. */
   readonly by: string;
 }
 

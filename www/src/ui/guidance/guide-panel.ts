@@ -1,6 +1,6 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import type { Guide } from "../../engine/protocol";
+import { ICONS, type Guide } from "../../engine/protocol";
 import { suggested } from "../../guidance/icon-words";
 import { explain } from "../../state/common/words";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
@@ -9,7 +9,6 @@ import { controls } from "../shared/shared";
 import "./model-shelf";
 import type { Facts } from "./model-shelf";
 
-export const ICONS = "icons";
 const WEIGHTS = { usual: 0.3, most: 3, step: 0.1 } as const;
 
 /** Words beside each picture, how strongly they pull, and whose idea of them counts. */
