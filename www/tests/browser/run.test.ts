@@ -122,15 +122,16 @@ it("goes back to what was before, by reset and while the first wire is still sou
   const files = button(/^GLB/);
   await expect.poll(() => files.isEnabled(), { timeout: 60_000 }).toBe(true);
   await runButton(page).click();
-  expect(await files.isEnabled()).toBe(false);
+  // Each part of the page is drawn in a turn of its own.
+  await expect.poll(() => files.isEnabled()).toBe(false);
   await button("Stop").click();
   await idle(page);
-  expect(await files.isEnabled()).toBe(true);
+  await expect.poll(() => files.isEnabled()).toBe(true);
   await runButton(page).click();
   await phase(page, "running");
   await button("Reset").click();
   await idle(page);
-  expect(await files.isEnabled()).toBe(true);
+  await expect.poll(() => files.isEnabled()).toBe(true);
   expect(await button(/^Undo/).first().isEnabled()).toBe(false);
 });
 
