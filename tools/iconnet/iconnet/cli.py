@@ -1,4 +1,4 @@
-"""The command line: `prepare`, `train`, `export`, `evaluate`, `guide`."""
+"""The command line: `prepare`, `train`, `export`, `evaluate`, `pairs`, `guide`."""
 
 import argparse
 import math
@@ -56,6 +56,12 @@ def _evaluate(places: Places, given) -> None:
     print(report.recalls(places, given.out), report.gradients(places, given.out), sep="\n\n")
 
 
+def _pairs(places: Places, given) -> None:
+    from . import report
+
+    print(report.choices(places, given.file))
+
+
 def _guide(places: Places, given) -> None:
     from . import guide, report
 
@@ -93,6 +99,10 @@ def _parser() -> argparse.ArgumentParser:
     evaluate = verbs.add_parser("evaluate", help="print recalls of the exported networks, their gradients' errors and their times")
     evaluate.add_argument("--out", type=Path, default=WEIGHTS, metavar="FOLDER", help="where the exported files are")
     evaluate.set_defaults(run=_evaluate)
+
+    pairs = verbs.add_parser("pairs", help="which of two icons is the same thing as a third? by a guidance-v1 file's likeness")
+    pairs.add_argument("file", type=Path, metavar="FILE.onnx")
+    pairs.set_defaults(run=_pairs)
 
     guide = verbs.add_parser("guide", help="let words pull a curve, and ask the judge")
     guide.add_argument("words", nargs="*", help="none: twenty held-out names drawn by seed 0")

