@@ -251,6 +251,14 @@ fn with_settings(command: Command, task: Task) -> Command {
                 .action(ArgAction::Append)
                 .help("Any setting by its name"),
         )
+        .arg(
+            file(
+                "perceptual",
+                "A network whose likeness of views and pictures is reported too: a file of tools/guidance",
+            )
+            .long("perceptual")
+            .value_name("FILE.onnx"),
+        )
         .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("No progress on the terminal"))
 }
 

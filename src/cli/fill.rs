@@ -1,6 +1,7 @@
 //! `wire4d fill`: a mesh in, a folder with the wire that covers it, its views and the report out.
 
 use crate::guiding::Guiding;
+use crate::likeness::Likeness;
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -18,6 +19,7 @@ use wire4d::{Error, Result};
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Fill)?;
     let guiding = Guiding::new(matches)?;
+    let likeness = Likeness::new(matches)?;
     let (given, reading) = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -32,7 +34,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     plan.notes().iter().for_each(|note| making.say(note));
     let mut run = Run::start(plan, &mut |_| true)?;
     let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
+    let mut report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
+    likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
 
     let made = run.sculpture();
     save(&folder, &made, &report, &run.loss_csv())?;

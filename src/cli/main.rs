@@ -5,6 +5,7 @@ mod args;
 mod fill;
 mod folder;
 mod guiding;
+mod likeness;
 mod making;
 mod multiview;
 mod raster;

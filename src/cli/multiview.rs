@@ -1,6 +1,7 @@
 //! `wire4d multiview`: pictures in, a folder with the wire, its views and the report out.
 
 use crate::guiding::Guiding;
+use crate::likeness::Likeness;
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -17,6 +18,7 @@ use wire4d::{Result, sculpture};
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Multiview)?;
     let guiding = Guiding::new(matches)?;
+    let likeness = Likeness::new(matches)?;
     let (drawings, reading): (Vec<_>, Vec<_>) = drawings(matches, &settings)?.into_iter().unzip();
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -38,7 +40,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         !making.is_stopped()
     })?;
     let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
+    let mut report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
+    likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
     save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
     save_pictures(&folder, &run, &coverable)?;
     bar.finish_and_clear();

@@ -1,6 +1,7 @@
 //! `wire4d stroke`: one picture in, a folder with the wire, its views and the report out.
 
 use crate::guiding::Guiding;
+use crate::likeness::Likeness;
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -17,6 +18,7 @@ use wire4d::{Error, Result, sculpture};
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Stroke)?;
     let guiding = Guiding::new(matches)?;
+    let likeness = Likeness::new(matches)?;
     let given = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -35,7 +37,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let mask = plan.object.mask.clone();
     let mut run = Run::start(plan, &mut |_| true)?;
     let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let report = Report { guidance, ..run.report(time, !run.session().is_done()) };
+    let mut report = Report { guidance, ..run.report(time, !run.session().is_done()) };
+    likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
 
     let made = run.sculpture();
     save(&folder, &made, &report, &run.loss_csv())?;

@@ -17,7 +17,9 @@ mod surface;
 pub use elegance::{Elegance, Faults, GAUGE, TIGHT_GAUGES, elegance};
 pub use evenness::Evenness;
 pub use lines::length_over_lines;
-pub use picture::{PictureMatch, match_pictures, match_pictures_with, precision_2px, psnr_db, recall_2px, soft_iou};
+pub use picture::{
+    PictureMatch, match_pictures, match_pictures_with, perceive, precision_2px, psnr_db, recall_2px, soft_iou,
+};
 pub use report::{
     ArrangementReport, BentReport, EventReport, GuidanceReport, NetworkReport, REPORT_SIZE_PX, ReadingReport, Report,
     ResultReport, TimeReport, ViewReport, WordsReport,

@@ -33,25 +33,41 @@ pub fn match_pictures(target: &Image, render: impl FnMut(usize, usize) -> Image)
     match_pictures_with(target, &YARDSTICKS, render)
 }
 
-/// [`match_pictures`] with other yardsticks, such as ones that read a model file.
+/// [`match_pictures`] with other yardsticks.
 pub fn match_pictures_with(
     target: &Image,
     yardsticks: &[&dyn Perceptual],
     mut render: impl FnMut(usize, usize) -> Image,
 ) -> PictureMatch {
-    let rendered = render(target.width, target.height);
-    let (soft_iou, psnr_db) = (soft_iou(&rendered, target), psnr_db(&rendered, target));
-    let (width, height) = report_size(target.width, target.height);
-    let (rendered, target) = if (width, height) == (target.width, target.height) {
-        (rendered, target.clone())
-    } else {
-        (render(width, height), target.resized(width, height))
-    };
+    let own = render(target.width, target.height);
+    let (soft_iou, psnr_db) = (soft_iou(&own, target), psnr_db(&own, target));
+    let (rendered, target) = for_report(target, render, Some(own));
     let (precision_2px, recall_2px) = (precision_2px(&rendered, &target), recall_2px(&rendered, &target));
-    let score = |yardstick: &&dyn Perceptual| (yardstick.name().to_owned(), yardstick.score(&rendered, &target));
-    let mut perceptual = BTreeMap::new();
-    perceptual.extend(yardsticks.iter().map(score));
+    let perceptual = scores(&rendered, &target, yardsticks);
     PictureMatch { soft_iou, psnr_db, precision_2px, recall_2px, perceptual }
+}
+
+/// Scores of `yardsticks` by name, at 256 px: for those that are no part of every report, such as ones that read a file.
+pub fn perceive(
+    target: &Image,
+    yardsticks: &[&dyn Perceptual],
+    render: impl FnMut(usize, usize) -> Image,
+) -> BTreeMap<String, f64> {
+    let (rendered, target) = for_report(target, render, None);
+    scores(&rendered, &target, yardsticks)
+}
+
+fn scores(rendered: &Image, target: &Image, yardsticks: &[&dyn Perceptual]) -> BTreeMap<String, f64> {
+    yardsticks.iter().map(|yardstick| (yardstick.name().to_owned(), yardstick.score(rendered, target))).collect()
+}
+
+/// Rendering and drawing at the report's size; `own` is what is rendered at the drawing's, if that is known.
+fn for_report(target: &Image, mut render: impl FnMut(usize, usize) -> Image, own: Option<Image>) -> (Image, Image) {
+    let (width, height) = report_size(target.width, target.height);
+    match own {
+        Some(own) if (width, height) == (target.width, target.height) => (own, target.clone()),
+        _ => (render(width, height), target.resized(width, height)),
+    }
 }
 
 /// The size whose longer side is [`REPORT_SIZE_PX`].

@@ -1,7 +1,7 @@
 //! How alike two pictures look, by yardsticks that need no data.
 //!
-//! Learned ones (LPIPS, CLIP) read model files that are not part of this crate; they enter as more implementations of
-//! [`Perceptual`], through [`super::match_pictures_with`].
+//! A learned one reads a file that is not part of this crate: it is one more implementation of [`Perceptual`], and enters
+//! through [`super::perceive`].
 
 mod edges;
 mod ms_ssim;

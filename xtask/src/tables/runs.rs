@@ -6,6 +6,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wire4d_core::wire::Wire;
 
+/// Where a network lies, for whoever has one, whose likeness is measured too; tools/guidance makes it.
+const YARDSTICK: &str = "out/efficientnet-lite0.onnx";
+
 /// How much to run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Size {
@@ -103,6 +106,10 @@ impl Runs {
         let (verb, pictures) = pictures(&root, &case.input);
         let mut command = shell::command("target/release/wire4d");
         command.arg(verb).args(&pictures).args(["--quiet", "--seed", &case.seed.to_string(), "--out"]).arg(&out);
+        let yardstick = root.join(YARDSTICK);
+        if yardstick.is_file() {
+            command.arg("--perceptual").arg(yardstick);
+        }
         let output = command.args(&case.options).output()?;
         if !output.status.success() {
             return Err(format!("{case:?}: {}", String::from_utf8_lossy(&output.stderr).trim()).into());
@@ -135,7 +142,8 @@ fn pictures(root: &Path, input: &str) -> (&'static str, Vec<PathBuf>) {
 }
 
 /// Figures of pictures that are means over the views: every view of several drawings, the front of a single picture.
-const OF_VIEWS: &[&str] = &["soft_iou", "precision_2px", "recall_2px", "ms_ssim", "edge_distance_px", "tone_match"];
+const OF_VIEWS: &[&str] =
+    &["soft_iou", "precision_2px", "recall_2px", "ms_ssim", "edge_distance_px", "tone_match", "feature_distance"];
 const OF_WIRE: &[&str] = &[
     "components",
     "connectivity_cost",

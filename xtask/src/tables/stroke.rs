@@ -10,6 +10,7 @@ const COLUMNS: &[Column] = &[
     ("soft_iou", "soft IoU", 3),
     ("ms_ssim", "MS-SSIM", 3),
     ("edge_distance_px", "edge distance, px", 2),
+    ("feature_distance", "feature distance", 3),
     ("tone_match", "tone match", 3),
     ("side_precision_2px", "sides' precision, 2 px", 3),
     ("side_recall_2px", "sides' recall, 2 px", 3),

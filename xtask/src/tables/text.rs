@@ -22,6 +22,7 @@ pub const COLUMNS: &[Column] = &[
     ("recall_2px", "recall, 2 px", 3),
     ("ms_ssim", "MS-SSIM", 3),
     ("edge_distance_px", "edge distance, px", 2),
+    ("feature_distance", "feature distance", 3),
     ("components", "components", 1),
     ("connectivity_cost", "connectivity cost", 2),
     ("length", "length", 1),
@@ -69,8 +70,11 @@ impl Measured {
     }
 }
 
-/// A Markdown table of means, each with its deviation over seeds and over inputs.
+/// A Markdown table of means, each with its deviation over seeds and over inputs. A column that no run has a figure for is
+/// left out.
 pub fn markdown(rows: &[Measured], columns: &[Column]) -> String {
+    let known = |&&(figure, ..): &&Column| rows.iter().any(|row| row.spread(figure).is_some());
+    let columns: Vec<&Column> = columns.iter().filter(known).collect();
     let mut text = String::from("| |");
     columns.iter().for_each(|(_, heading, _)| text += &format!(" {heading} |"));
     text += "\n|---|";
@@ -78,7 +82,7 @@ pub fn markdown(rows: &[Measured], columns: &[Column]) -> String {
     text.push('\n');
     for row in rows {
         let _ = write!(text, "| {} |", row.name);
-        for &(figure, _, digits) in columns {
+        for &&(figure, _, digits) in &columns {
             let cell = row.spread(figure).map_or("–".to_owned(), |found| {
                 let part = |deviation: Option<f64>| deviation.map_or("–".into(), |value| format!("{value:.digits$}"));
                 match (found.seeds, found.inputs) {

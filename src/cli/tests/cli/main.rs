@@ -3,6 +3,7 @@
 mod field_meshes;
 mod field_pictures;
 mod guiding;
+mod likeness;
 #[path = "../../../../tests/support/notice/mod.rs"]
 mod notice;
 mod verbs;

@@ -192,7 +192,7 @@ impl Guidance for Learned {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Answer, similarity};
+    use super::super::{Answer, likeness, similarity};
     use super::*;
     use crate::rng::Rng;
     use crate::view::Camera;
@@ -361,6 +361,11 @@ mod tests {
         let seen = wait(similarity(&mut network, &same, &unit(4))).unwrap();
         let mut words = Learned::new(vec![member(1, vec![Some(Aim::Like(unit(4)))])], Look::Whole, 0);
         assert!((wait(words.guide(&mut views, NOW).done()).unwrap() + seen - 1.0).abs() < 1e-5);
+
+        let other = picture(SIDE, 8);
+        let mut alike = |a, b| wait(likeness(&mut network, a, b)).unwrap();
+        assert!((alike(&same, &same) - 1.0).abs() < 1e-5);
+        assert!(alike(&same, &other) < 0.999 && (alike(&same, &other) - alike(&other, &same)).abs() < 1e-5);
     }
 
     #[test]

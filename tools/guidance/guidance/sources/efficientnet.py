@@ -82,21 +82,19 @@ class _Block(nn.Module):
 
 
 class _Layer(nn.Module):
-    """A convolution with its normalization folded in, padded as TensorFlow does: more behind than before."""
+    """A convolution with its normalization folded in. TensorFlow pads more behind than before where it skips every other place: one
+    more row and column of zeros before the kernel come to the same, and need no padding of their own."""
 
     def __init__(self, weights, convolution: str, normal: str, stride=1, depthwise=False, active=True):
         super().__init__()
         kernel, get = weights[convolution + ".weight"].double(), lambda name: weights[f"{normal}.{name}"].double()
         scale = get("weight") / torch.sqrt(get("running_var") + EPS)
-        self.register_buffer("weight", (kernel * scale.view(-1, 1, 1, 1)).float())
+        self.register_buffer("weight", F.pad((kernel * scale.view(-1, 1, 1, 1)).float(), (stride - 1, 0) * 2))
         self.register_buffer("bias", (get("bias") - get("running_mean") * scale).float())
-        self.stride, self.active = stride, active
+        self.stride, self.active, self.padding = stride, active, kernel.shape[2] // 2
         self.groups = kernel.shape[0] if depthwise else 1
         self.before = kernel.shape[0] if depthwise else kernel.shape[1]
 
     def forward(self, x):
-        kernel, side = self.weight.shape[2], x.shape[2]
-        more = max((-(-side // self.stride) - 1) * self.stride + kernel - side, 0)
-        x = F.pad(x, (more // 2, more - more // 2) * 2) if more else x
-        x = F.conv2d(x, self.weight, self.bias, self.stride, groups=self.groups)
+        x = F.conv2d(x, self.weight, self.bias, self.stride, self.padding, groups=self.groups)
         return x.clamp(0, 6) if self.active else x
