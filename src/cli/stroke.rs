@@ -1,6 +1,6 @@
 //! `wire4d stroke`: one picture in, a folder with the wire, its views and the report out.
 
-use crate::guiding::Guiding;
+use crate::guiding::{Guided, Guides};
 use crate::likeness::Likeness;
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
@@ -17,7 +17,7 @@ use wire4d::{Error, Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Stroke)?;
-    let guiding = Guiding::new(matches)?;
+    let guides = Guides::new(matches)?;
     let likeness = Likeness::new(matches)?;
     let given = given(matches)?;
     let out = args::path(matches, "out");
@@ -36,8 +36,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     making.bar.set_message("Laying a first wire");
     let mask = plan.object.mask.clone();
     let mut run = Run::start(plan, &mut |_| true)?;
-    let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let mut report = Report { guidance, ..run.report(time, !run.session().is_done()) };
+    let (time, Guided { guidance, distillation }) = making.fit(&mut run, &guides)?;
+    let mut report = Report { guidance, distillation, ..run.report(time, !run.session().is_done()) };
     likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
 
     let made = run.sculpture();

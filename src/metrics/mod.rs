@@ -21,8 +21,8 @@ pub use picture::{
     PictureMatch, match_pictures, match_pictures_with, perceive, precision_2px, psnr_db, recall_2px, soft_iou,
 };
 pub use report::{
-    ArrangementReport, BentReport, EventReport, GuidanceReport, NetworkReport, REPORT_SIZE_PX, ReadingReport, Report,
-    ResultReport, TimeReport, ViewReport, WordsReport,
+    ArrangementReport, AskedReport, BentReport, DistillationReport, EventReport, GuidanceReport, NetworkReport,
+    REPORT_SIZE_PX, ReadingReport, Report, ResultReport, TimeReport, ViewReport, WordsReport,
 };
 pub use shape::{ShapeMetrics, shape};
 pub use surface::SurfaceReport;

@@ -53,7 +53,7 @@ pub struct Answer {
 /// # Errors
 /// As [`Network::run`].
 pub async fn similarity(network: &mut dyn Network, ink: &Image, target: &[f32]) -> Result<f32> {
-    Ok(look(network, ink, target).await?.cos[0])
+    Ok(looked_at(network, ink, target).await?.cos[0])
 }
 
 /// The cosine between what `network` sees in all of two pictures of ink.
@@ -61,13 +61,13 @@ pub async fn similarity(network: &mut dyn Network, ink: &Image, target: &[f32]) 
 /// # Errors
 /// As [`Network::run`].
 pub async fn likeness(network: &mut dyn Network, ink: &Image, other: &Image) -> Result<f32> {
-    // Any unit vector will do where nothing but the embedding is wanted.
-    let any: Vec<f32> = (0..network.embed()).map(|i| f32::from(u8::from(i == 0))).collect();
-    let seen = look(network, other, &any).await?.embedding;
+    // Any unit vector: nothing comes back of it.
+    let target: Vec<f32> = (0..network.embed()).map(|i| f32::from(i == 0)).collect();
+    let seen = looked_at(network, other, &target).await?.embedding;
     similarity(network, ink, &seen).await
 }
 
-async fn look(network: &mut dyn Network, ink: &Image, target: &[f32]) -> Result<Answer> {
+async fn looked_at(network: &mut dyn Network, ink: &Image, target: &[f32]) -> Result<Answer> {
     let size = network.size();
     let mut image = vec![0.0; 3 * size * size];
     Patch::whole(ink.width, ink.height).draw(&ink.data, ink.width, size, &mut image);
