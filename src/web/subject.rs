@@ -43,8 +43,9 @@ impl Subject {
         strokes.push(stroke);
     }
 
-    /// Forgets the box and the strokes.
+    /// Forgets the mask, the box and the strokes.
     pub fn clear_hints(&mut self) {
+        self.given.mask = None;
         self.given.bounds = None;
         self.given.object.clear();
         self.given.ground.clear();

@@ -8,6 +8,7 @@ import { refuseTooLarge } from "./memory";
 import { factsOf, openModel, type About, type Facts, type Model } from "./model";
 import type { Provider } from "./runtime";
 import { Shelf, type Kept, type Texts } from "./shelf";
+import { models, opened } from "./opened";
 import { readSidecar, type Sidecar } from "./sidecar";
 import { networkOf, type Readers } from "./readers";
 import { Tokenizer } from "./tokenizer";
@@ -35,7 +36,6 @@ interface Found {
 }
 
 const shelf = new Shelf();
-const models = new Map<Kind, { readonly model: Model; readonly tokenizer: Tokenizer | null; readonly prefer: Provider }>();
 const openings = new Set<AbortController>();
 let last: Promise<unknown> = Promise.resolve();
 
@@ -84,11 +84,6 @@ async function openNow(source: Source, prefer: Provider, keep: boolean, progress
   models.set(sidecar.kind, { model, tokenizer, prefer });
   const unkept = keep && !isKept ? await shelf.keep(file, new Blob([bytes]), texts, sidecar.sha256) : null;
   return { ...model.about, unkept };
-}
-
-/** The open network of a kind, for whoever computes with it. */
-export function opened<K extends Kind>(kind: K): Model<K> | null {
-  return (models.get(kind)?.model ?? null) as Model<K> | null;
 }
 
 /** One question to an open network; a GuidanceError if none is open that could answer. */

@@ -37,7 +37,8 @@ export class SubjectTaker implements Taker<Subject | null> {
   async give(file: Blob, name: string): Promise<void> {
     await this.attempt(name, async () => {
       const { note, ...pixels } = await readPicture(file, name);
-      const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth: null };
+      const depth = await this.guessDepth({ name, ...pixels });
+      const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth };
       const take = (found: Subject["found"]): void => this.edit(`Take the picture ${name}`, { ...subject, found });
       try {
         take(await this.seek(subject));
@@ -131,6 +132,12 @@ export class SubjectTaker implements Taker<Subject | null> {
     const shown = { ...subject, found };
     project.amend((doc) => (doc.given[name] === subject ? { ...doc, ...withGiven(doc, name, shown) } : doc));
     store.set({ examples: { ...store.get().examples, [name]: shown } });
+  }
+
+  /** As a network says, where one is open; a picture is fine without. */
+  private async guessDepth(picture: Picture): Promise<Subject["depth"]> {
+    const guessed = await this.bench.engine.call("guessDepth", { picture }).catch(() => null);
+    return guessed && kept(guessed, guessed.name);
   }
 
   /** What was foreseen of a mark is what it finds. */

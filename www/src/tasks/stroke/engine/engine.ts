@@ -1,12 +1,14 @@
 /** One picture, in the worker. */
 
 import { bytesOf, ink, loaded, own, pulled, taken } from "../../../engine/core";
+import type { Picture } from "../../../engine/protocol";
 import type { TaskEngine } from "../../../engine/task-engine";
 import * as wasm from "../../../engine/wasm/wire4d";
+import { bytes, depthPicture, seen } from "../../../guidance/sight";
 import type { FoundObject, PixelHints, StrokeWork } from "../protocol";
 
 /** What was looked at last: whoever draws on a picture asks again at every stroke. */
-let last: { readonly key: number; readonly subject: wasm.Subject } | null = null;
+let last: { readonly key: number; readonly picture: Picture; readonly subject: wasm.Subject } | null = null;
 
 export const engine: TaskEngine<StrokeWork> = {
   task: "stroke",
@@ -17,12 +19,17 @@ export const engine: TaskEngine<StrokeWork> = {
         if (!picture) return null;
         last?.subject.free();
         last = null;
-        last = { key, subject: new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture)) };
+        last = { key, picture, subject: new wasm.Subject(picture.name, picture.width, picture.height, bytesOf(picture)) };
       }
       const { subject } = last;
       subject.clear_hints();
       point(subject, hints);
-      return find(subject, object);
+      const found = find(subject, object);
+      return found.isSure || hints.box || hints.marks.length ? found : seenBy(last, object, found);
+    },
+    guessDepth: async ({ picture: { name, width, height, rgba } }) => {
+      const near = await seen("depth-v1", { width, height, rgba });
+      return near && { name: `${name}, as ${near.by} sees it`, width, height, rgba: depthPicture(near, width, height) };
     },
   },
   async start(work, settings, from, { tell, note }) {
@@ -36,6 +43,21 @@ export const engine: TaskEngine<StrokeWork> = {
     }
   },
 };
+
+/** The object as an open network sees it, or as it was found. */
+async function seenBy({ picture, subject }: NonNullable<typeof last>, object: number, found: FoundObject): Promise<FoundObject> {
+  try {
+    const mask = await seen("mask-v1", picture);
+    if (!mask) return found;
+    subject.set_mask(mask.width, mask.height, bytes(mask.values));
+    const other = find(subject, object);
+    return { ...other, notes: [`The object is as the network ${mask.by} sees it.`, ...other.notes] };
+  } catch (error) {
+    return { ...found, notes: [...found.notes, error instanceof Error ? error.message : String(error)] };
+  } finally {
+    subject.clear_hints();
+  }
+}
 
 function find(subject: wasm.Subject, object: number): FoundObject {
   const found = wasm.find_object(subject, object);
