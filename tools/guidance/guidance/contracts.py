@@ -1,9 +1,10 @@
-"""The four kinds of files, and what each promises by name, type and shape.
+"""The kinds of files, and what each promises by name, type and shape.
 
 | kind | inputs | outputs |
 |---|---|---|
 | guidance-v1 | image[batch,3,S,S], source[batch,E], target[batch,E], weight[batch] | loss[], grad like image, cos[batch], embedding[batch,E] |
 | text-v1 | ids[batch,context] int32 | embedding[batch,E] |
+| context-v1 | ids[batch,tokens] int32 | context[batch,N,D] |
 | vjp-v1 | image[1,3,H,W], cotangent like latent | latent[1,C,h,w], grad like image |
 | eps-v1 | x_t[batch,C,h,w], t[batch], context[batch,N,D] | eps like x_t |
 
@@ -16,7 +17,7 @@ from dataclasses import dataclass
 from .errors import ContractError
 
 BATCH = "batch"
-KINDS = ("guidance-v1", "text-v1", "vjp-v1", "eps-v1")
+KINDS = ("guidance-v1", "text-v1", "context-v1", "vjp-v1", "eps-v1")
 Shape = tuple[int | str, ...]
 
 
@@ -75,6 +76,13 @@ def text(context: int, embed: int) -> Contract:
     )
 
 
+def context(tokens: int, context: tuple[int, int]) -> Contract:
+    """A text encoder's states, as denoisers want them; `tokens` a prompt, padded, and `context` as in `eps`."""
+    return Contract(
+        "context-v1", (Port("ids", (BATCH, tokens), "int32"),), (Port("context", (BATCH, *context)),)
+    )
+
+
 def vjp(image: tuple[int, int], latent: tuple[int, int, int]) -> Contract:
     """An image encoder pulled back; `image` is (height, width) in pixels, `latent` (channels, height, width)."""
     pixels, code = (1, 3, *image), (1, *latent)
@@ -114,6 +122,8 @@ def of_sidecar(sidecar: dict, file: str) -> Contract:
         return guidance(*sizes("size", 1), *sizes("embed", 1))
     if kind == "text-v1":
         return text(*sizes("context", 1), *sizes("embed", 1))
+    if kind == "context-v1":
+        return context(*sizes("tokens", 1), tuple(sizes("context", 2)))
     if kind == "vjp-v1":
         return vjp(tuple(sizes("image", 2)), tuple(sizes("latent", 3)))
     return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)))

@@ -39,6 +39,16 @@ class TextEncoder:
 
 
 @dataclass(frozen=True)
+class ContextEncoder:
+    """A network int64 [n,tokens] -> [n,*context], and a tokenizer's file."""
+
+    network: torch.nn.Module
+    tokens: int
+    context: tuple[int, int]
+    tokenizer: dict | None = None
+
+
+@dataclass(frozen=True)
 class LatentEncoder:
     """A network [1,3,height,width] in 0..1 -> [1,*latent], with the latent's scale inside."""
 
@@ -110,13 +120,15 @@ def image_encoder(given: ImageEncoder, label: Label, folder: Path, weights="fp32
 def text_encoder(given: TextEncoder, label: Label, folder: Path, weights="fp32") -> Report:
     """text-v1, and `NAME.tokenizer.json` where the encoder brings a tokenizer. Errors as above."""
     facts = {"context": given.context, "embed": given.embed, "batch": "dynamic"}
-    if given.tokenizer is not None:
-        facts["tokenizer"] = f"{label.name}.tokenizer.json"
     contract = contracts.text(given.context, given.embed)
-    report = _write(losses.text(given.network), contract, facts, label, folder, weights)
-    if given.tokenizer is not None:
-        sidecar.write(given.tokenizer, folder / facts["tokenizer"])
-    return report
+    return _write_of_words(losses.text(given.network), contract, facts, given.tokenizer, label, folder, weights)
+
+
+def context_encoder(given: ContextEncoder, label: Label, folder: Path, weights="fp32") -> Report:
+    """context-v1, and a tokenizer as above. Errors as above."""
+    facts = {"tokens": given.tokens, "context": list(given.context), "batch": "dynamic"}
+    contract = contracts.context(given.tokens, given.context)
+    return _write_of_words(losses.context(given.network), contract, facts, given.tokenizer, label, folder, weights)
 
 
 def latent_encoder(given: LatentEncoder, label: Label, folder: Path, weights="fp32") -> Report:
@@ -140,6 +152,15 @@ def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Rep
 
 def _picture_facts() -> dict:
     return {"range": [0, 1], "layout": "NCHW", "colour": "sRGB"}
+
+
+def _write_of_words(function, contract: Contract, facts: dict, tokenizer: dict | None, label: Label, folder: Path, weights: str):
+    if tokenizer is not None:
+        facts["tokenizer"] = f"{label.name}.tokenizer.json"
+    report = _write(function, contract, facts, label, folder, weights)
+    if tokenizer is not None:
+        sidecar.write(tokenizer, folder / facts["tokenizer"])
+    return report
 
 
 def _write(function: Callable, contract: Contract, facts: dict, label: Label, folder: Path, weights: str) -> Report:

@@ -59,6 +59,12 @@ def text(encoder: torch.nn.Module) -> Callable:
     return lambda ids: (unit(encoder(ids.to(torch.int64))),)
 
 
+def context(encoder: torch.nn.Module) -> Callable:
+    """context-v1 of an encoder int64 [n,tokens] -> [n,N,D]."""
+    encoder = frozen(encoder)
+    return lambda ids: (encoder(ids.to(torch.int64)),)
+
+
 def eps(denoiser: torch.nn.Module) -> Callable:
     """eps-v1 of a denoiser (x_t, t, context) -> eps; t is a float in 0..999."""
     denoiser = frozen(denoiser)

@@ -27,7 +27,7 @@ def inputs(contract: Contract) -> list[tuple[str, dict[str, dict]]]:
         ]
     if contract.kind == "vjp-v1":
         return [("pull", {"image": image, "cotangent": {"fill": "signed", "seed": 4}})]
-    if contract.kind == "text-v1":
+    if contract.kind in ("text-v1", "context-v1"):
         return [("words", {"ids": {"fill": "count", "first": 1}})]
     return [
         (

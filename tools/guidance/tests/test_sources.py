@@ -79,6 +79,8 @@ def test_transformers(tmp_path):
     config = library.CLIPTextConfig(vocab_size=600, max_position_embeddings=12, eos_token_id=2, **shape)
     text = transformers.text_of(library.CLIPTextModelWithProjection(config).eval(), [("w", "i")], pad=514)
     assert exports(export.text_encoder, text, tmp_path)["embed"] == 16
+    states = transformers.context_of(library.CLIPTextModel(config).eval(), [("w", "i")], pad=514)
+    assert exports(export.context_encoder, states, tmp_path)["context"] == [12, 32]
 
 
 def test_diffusers(tmp_path):
