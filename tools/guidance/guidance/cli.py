@@ -6,7 +6,7 @@ from pathlib import Path
 
 from .errors import GuidanceError, SourceError
 
-PARTS = {"image": "guidance-v1", "text": "text-v1", "context": "context-v1", "latent": "vjp-v1", "denoiser": "eps-v1"}
+PARTS = {"image": "guidance-v1", "text": "text-v1", "context": "context-v1", "pose": "pose-v1", "latent": "vjp-v1", "denoiser": "eps-v1"}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -31,6 +31,7 @@ def _export(given) -> int:
         "image": export.image_encoder,
         "text": export.text_encoder,
         "context": export.context_encoder,
+        "pose": export.pose_encoder,
         "latent": export.latent_encoder,
         "denoiser": export.denoiser,
     }[given.part]

@@ -6,7 +6,8 @@
 | text-v1 | ids[batch,context] int32 | embedding[batch,E] |
 | context-v1 | ids[batch,tokens] int32 | context[batch,N,D] |
 | vjp-v1 | image[1,3,H,W], cotangent like latent | latent[1,C,h,w], grad like image |
-| eps-v1 | x_t[batch,C,h,w], t[batch], context[batch,N,D] | eps like x_t |
+| pose-v1 | image[1,3,S,S], pose[batch,4] | context[batch,N,D] |
+| eps-v1 | x_t[batch,C,h,w], t[batch], context[batch,N,D]; and beside[batch,C,h,w], where its sidecar has `beside` | eps like x_t |
 
 Everything but `ids` is float32. Images are sRGB in 0..1, channels first, red first; what a network wants instead (mean,
 deviation, -1..1) is folded into the graph, gradients included.
@@ -17,7 +18,7 @@ from dataclasses import dataclass
 from .errors import ContractError
 
 BATCH = "batch"
-KINDS = ("guidance-v1", "text-v1", "context-v1", "vjp-v1", "eps-v1")
+KINDS = ("guidance-v1", "text-v1", "context-v1", "pose-v1", "vjp-v1", "eps-v1")
 Shape = tuple[int | str, ...]
 
 
@@ -91,14 +92,21 @@ def vjp(image: tuple[int, int], latent: tuple[int, int, int]) -> Contract:
     )
 
 
-def eps(latent: tuple[int, int, int], context: tuple[int, int]) -> Contract:
-    """A denoiser, forward; `context` is (tokens, numbers a token)."""
-    code = (BATCH, *latent)
+def pose(size: int, context: tuple[int, int]) -> Contract:
+    """A picture seen from elsewhere, as a denoiser's context; `size` in pixels."""
     return Contract(
-        "eps-v1",
-        (Port("x_t", code), Port("t", (BATCH,)), Port("context", (BATCH, *context))),
-        (Port("eps", code),),
+        "pose-v1",
+        (Port("image", (1, 3, size, size)), Port("pose", (BATCH, 4))),
+        (Port("context", (BATCH, *context)),),
     )
+
+
+def eps(latent: tuple[int, int, int], context: tuple[int, int], beside: tuple[int, int, int] | None = None) -> Contract:
+    """A denoiser, forward; `context` is (tokens, numbers a token), and `beside` what it sees besides, of a reference picture."""
+    code = (BATCH, *latent)
+    inputs = Port("x_t", code), Port("t", (BATCH,)), Port("context", (BATCH, *context))
+    more = (Port("beside", (BATCH, *beside)),) if beside else ()
+    return Contract("eps-v1", inputs + more, (Port("eps", code),))
 
 
 def of_sidecar(sidecar: dict, file: str) -> Contract:
@@ -126,7 +134,10 @@ def of_sidecar(sidecar: dict, file: str) -> Contract:
         return context(*sizes("tokens", 1), tuple(sizes("context", 2)))
     if kind == "vjp-v1":
         return vjp(tuple(sizes("image", 2)), tuple(sizes("latent", 3)))
-    return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)))
+    if kind == "pose-v1":
+        return pose(*sizes("size", 1), tuple(sizes("context", 2)))
+    beside = tuple(sizes("beside", 3)) if "beside" in sidecar else None
+    return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)), beside)
 
 
 def nothing_faults(sidecar: dict) -> list[str]:

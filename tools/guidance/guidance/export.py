@@ -60,13 +60,24 @@ class LatentEncoder:
 @dataclass(frozen=True)
 class Denoiser:
     """A network (x_t [n,*latent], t [n], context [n,*context]) -> eps like x_t. `schedule` says how its noise grows, and `nothing`,
-    where no empty prompt gives it, the context of nothing."""
+    where no empty prompt gives it, the context of nothing. With `beside` it takes a fourth [n,*beside]: what vjp-v1 makes of a
+    reference picture."""
 
     network: torch.nn.Module
     latent: tuple[int, int, int]
     context: tuple[int, int]
     schedule: Schedule | None = None
     nothing: np.ndarray | None = None
+    beside: tuple[int, int, int] | None = None
+
+
+@dataclass(frozen=True)
+class PoseEncoder:
+    """A network (image [1,3,size,size] in 0..1, pose [n,4]) -> [n,*context]: a picture, and from where else it is seen."""
+
+    network: torch.nn.Module
+    size: int
+    context: tuple[int, int]
 
 
 @dataclass(frozen=True)
@@ -140,6 +151,8 @@ def latent_encoder(given: LatentEncoder, label: Label, folder: Path, weights="fp
 def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Report:
     """eps-v1. Errors as above."""
     facts = {"latent": list(given.latent), "context": list(given.context), "batch": "dynamic"}
+    if given.beside is not None:
+        facts["beside"] = list(given.beside)
     if given.schedule is not None:
         facts["schedule"] = given.schedule.as_json()
     if given.nothing is not None:
@@ -147,7 +160,13 @@ def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Rep
         said = contracts.nothing_faults(facts)
         if said:
             raise ModelError(" ".join(said))
-    return _write(losses.eps(given.network), contracts.eps(given.latent, given.context), facts, label, folder, weights)
+    return _write(losses.eps(given.network), contracts.eps(given.latent, given.context, given.beside), facts, label, folder, weights)
+
+
+def pose_encoder(given: PoseEncoder, label: Label, folder: Path, weights="fp32") -> Report:
+    """pose-v1. Errors as above."""
+    facts = {"size": given.size, "context": list(given.context), "batch": "dynamic", **_picture_facts()}
+    return _write(losses.pose(given.network), contracts.pose(given.size, given.context), facts, label, folder, weights)
 
 
 def _picture_facts() -> dict:

@@ -10,11 +10,11 @@ from types import ModuleType
 from ..errors import SourceError
 
 LIBRARIES = {"tiny": "", "open_clip": "open_clip_torch", "transformers": "transformers", "diffusers": "diffusers"}
-PARTS = ("image", "text", "context", "latent", "denoiser")
+PARTS = ("image", "text", "context", "pose", "latent", "denoiser")
 
 
 def load(part: str, source: str, checkpoint: str | None = None):
-    """One of export's ImageEncoder, TextEncoder, ContextEncoder, LatentEncoder and Denoiser, as `part` says.
+    """One of export's ImageEncoder, TextEncoder, ContextEncoder, PoseEncoder, LatentEncoder and Denoiser, as `part` says.
 
     Raises SourceError where the library or the model is unknown, has no such part or cannot be loaded.
     """
