@@ -1,4 +1,4 @@
-"""The command line: `export`, `check`, `prompts`."""
+"""The command line: `export`, `check`, `prompts`, `contexts`."""
 
 import argparse
 import sys
@@ -6,7 +6,7 @@ from pathlib import Path
 
 from .errors import GuidanceError, SourceError
 
-PARTS = {"image": "guidance-v1", "text": "text-v1", "latent": "vjp-v1", "denoiser": "eps-v1"}
+PARTS = {"image": "guidance-v1", "text": "text-v1", "context": "context-v1", "pose": "pose-v1", "latent": "vjp-v1", "denoiser": "eps-v1"}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -30,6 +30,8 @@ def _export(given) -> int:
     write = {
         "image": export.image_encoder,
         "text": export.text_encoder,
+        "context": export.context_encoder,
+        "pose": export.pose_encoder,
         "latent": export.latent_encoder,
         "denoiser": export.denoiser,
     }[given.part]
@@ -69,6 +71,15 @@ def _prompts(given) -> int:
     return 0
 
 
+def _contexts(given) -> int:
+    from . import contexts, sidecar
+
+    found = contexts.encode(given.file, given.prompts)
+    sidecar.write(found, given.out)
+    print(f"{given.out}: {len(found['contexts'])} contexts of {' x '.join(map(str, found['shape']))} numbers")
+    return 0
+
+
 def _name(text: str) -> str:
     if not text or not all(c.isalnum() or c in "-_" for c in text) or not text.isascii():
         raise argparse.ArgumentTypeError(f"{text!r} must be letters, digits, - and _: it names files")
@@ -100,4 +111,10 @@ def _parser() -> argparse.ArgumentParser:
     prompts.add_argument("--templates", type=Path, metavar="TXT", help="one a line, each with {} for the prompt; their mean counts")
     prompts.add_argument("--out", type=Path, required=True, metavar="JSON")
     prompts.set_defaults(run=_prompts)
+
+    contexts = verbs.add_parser("contexts", help="write contexts of prompts, and of nothing, as JSON")
+    contexts.add_argument("file", type=Path, metavar="TEXT.onnx", help="a context-v1 file with its tokenizer beside it")
+    contexts.add_argument("prompts", nargs="+", metavar="PROMPT")
+    contexts.add_argument("--out", type=Path, required=True, metavar="JSON")
+    contexts.set_defaults(run=_contexts)
     return parser

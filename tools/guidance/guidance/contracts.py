@@ -1,11 +1,13 @@
-"""The four kinds of files, and what each promises by name, type and shape.
+"""The kinds of files, and what each promises by name, type and shape.
 
 | kind | inputs | outputs |
 |---|---|---|
 | guidance-v1 | image[batch,3,S,S], source[batch,E], target[batch,E], weight[batch] | loss[], grad like image, cos[batch], embedding[batch,E] |
 | text-v1 | ids[batch,context] int32 | embedding[batch,E] |
+| context-v1 | ids[batch,tokens] int32 | context[batch,N,D] |
 | vjp-v1 | image[1,3,H,W], cotangent like latent | latent[1,C,h,w], grad like image |
-| eps-v1 | x_t[batch,C,h,w], t[batch], context[batch,N,D] | eps like x_t |
+| pose-v1 | image[1,3,S,S], pose[batch,4] | context[batch,N,D] |
+| eps-v1 | x_t[batch,C,h,w], t[batch], context[batch,N,D]; and beside[batch,C,h,w], where its sidecar has `beside` | eps like x_t |
 
 Everything but `ids` is float32. Images are sRGB in 0..1, channels first, red first; what a network wants instead (mean,
 deviation, -1..1) is folded into the graph, gradients included.
@@ -16,7 +18,7 @@ from dataclasses import dataclass
 from .errors import ContractError
 
 BATCH = "batch"
-KINDS = ("guidance-v1", "text-v1", "vjp-v1", "eps-v1")
+KINDS = ("guidance-v1", "text-v1", "context-v1", "pose-v1", "vjp-v1", "eps-v1")
 Shape = tuple[int | str, ...]
 
 
@@ -75,6 +77,13 @@ def text(context: int, embed: int) -> Contract:
     )
 
 
+def context(tokens: int, context: tuple[int, int]) -> Contract:
+    """A text encoder's states, as denoisers want them; `tokens` a prompt, padded, and `context` as in `eps`."""
+    return Contract(
+        "context-v1", (Port("ids", (BATCH, tokens), "int32"),), (Port("context", (BATCH, *context)),)
+    )
+
+
 def vjp(image: tuple[int, int], latent: tuple[int, int, int]) -> Contract:
     """An image encoder pulled back; `image` is (height, width) in pixels, `latent` (channels, height, width)."""
     pixels, code = (1, 3, *image), (1, *latent)
@@ -83,14 +92,21 @@ def vjp(image: tuple[int, int], latent: tuple[int, int, int]) -> Contract:
     )
 
 
-def eps(latent: tuple[int, int, int], context: tuple[int, int]) -> Contract:
-    """A denoiser, forward; `context` is (tokens, numbers a token)."""
-    code = (BATCH, *latent)
+def pose(size: int, context: tuple[int, int]) -> Contract:
+    """A picture seen from elsewhere, as a denoiser's context; `size` in pixels."""
     return Contract(
-        "eps-v1",
-        (Port("x_t", code), Port("t", (BATCH,)), Port("context", (BATCH, *context))),
-        (Port("eps", code),),
+        "pose-v1",
+        (Port("image", (1, 3, size, size)), Port("pose", (BATCH, 4))),
+        (Port("context", (BATCH, *context)),),
     )
+
+
+def eps(latent: tuple[int, int, int], context: tuple[int, int], beside: tuple[int, int, int] | None = None) -> Contract:
+    """A denoiser, forward; `context` is (tokens, numbers a token), and `beside` what it sees besides, of a reference picture."""
+    code = (BATCH, *latent)
+    inputs = Port("x_t", code), Port("t", (BATCH,)), Port("context", (BATCH, *context))
+    more = (Port("beside", (BATCH, *beside)),) if beside else ()
+    return Contract("eps-v1", inputs + more, (Port("eps", code),))
 
 
 def of_sidecar(sidecar: dict, file: str) -> Contract:
@@ -114,9 +130,14 @@ def of_sidecar(sidecar: dict, file: str) -> Contract:
         return guidance(*sizes("size", 1), *sizes("embed", 1))
     if kind == "text-v1":
         return text(*sizes("context", 1), *sizes("embed", 1))
+    if kind == "context-v1":
+        return context(*sizes("tokens", 1), tuple(sizes("context", 2)))
     if kind == "vjp-v1":
         return vjp(tuple(sizes("image", 2)), tuple(sizes("latent", 3)))
-    return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)))
+    if kind == "pose-v1":
+        return pose(*sizes("size", 1), tuple(sizes("context", 2)))
+    beside = tuple(sizes("beside", 3)) if "beside" in sidecar else None
+    return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)), beside)
 
 
 def nothing_faults(sidecar: dict) -> list[str]:

@@ -39,6 +39,16 @@ class TextEncoder:
 
 
 @dataclass(frozen=True)
+class ContextEncoder:
+    """A network int64 [n,tokens] -> [n,*context], and a tokenizer's file."""
+
+    network: torch.nn.Module
+    tokens: int
+    context: tuple[int, int]
+    tokenizer: dict | None = None
+
+
+@dataclass(frozen=True)
 class LatentEncoder:
     """A network [1,3,height,width] in 0..1 -> [1,*latent], with the latent's scale inside."""
 
@@ -50,13 +60,24 @@ class LatentEncoder:
 @dataclass(frozen=True)
 class Denoiser:
     """A network (x_t [n,*latent], t [n], context [n,*context]) -> eps like x_t. `schedule` says how its noise grows, and `nothing`,
-    where no empty prompt gives it, the context of nothing."""
+    where no empty prompt gives it, the context of nothing. With `beside` it takes a fourth [n,*beside]: what vjp-v1 makes of a
+    reference picture."""
 
     network: torch.nn.Module
     latent: tuple[int, int, int]
     context: tuple[int, int]
     schedule: Schedule | None = None
     nothing: np.ndarray | None = None
+    beside: tuple[int, int, int] | None = None
+
+
+@dataclass(frozen=True)
+class PoseEncoder:
+    """A network (image [1,3,size,size] in 0..1, pose [n,4]) -> [n,*context]: a picture, and from where else it is seen."""
+
+    network: torch.nn.Module
+    size: int
+    context: tuple[int, int]
 
 
 @dataclass(frozen=True)
@@ -110,13 +131,15 @@ def image_encoder(given: ImageEncoder, label: Label, folder: Path, weights="fp32
 def text_encoder(given: TextEncoder, label: Label, folder: Path, weights="fp32") -> Report:
     """text-v1, and `NAME.tokenizer.json` where the encoder brings a tokenizer. Errors as above."""
     facts = {"context": given.context, "embed": given.embed, "batch": "dynamic"}
-    if given.tokenizer is not None:
-        facts["tokenizer"] = f"{label.name}.tokenizer.json"
     contract = contracts.text(given.context, given.embed)
-    report = _write(losses.text(given.network), contract, facts, label, folder, weights)
-    if given.tokenizer is not None:
-        sidecar.write(given.tokenizer, folder / facts["tokenizer"])
-    return report
+    return _write_of_words(losses.text(given.network), contract, facts, given.tokenizer, label, folder, weights)
+
+
+def context_encoder(given: ContextEncoder, label: Label, folder: Path, weights="fp32") -> Report:
+    """context-v1, and a tokenizer as above. Errors as above."""
+    facts = {"tokens": given.tokens, "context": list(given.context), "batch": "dynamic"}
+    contract = contracts.context(given.tokens, given.context)
+    return _write_of_words(losses.context(given.network), contract, facts, given.tokenizer, label, folder, weights)
 
 
 def latent_encoder(given: LatentEncoder, label: Label, folder: Path, weights="fp32") -> Report:
@@ -128,6 +151,8 @@ def latent_encoder(given: LatentEncoder, label: Label, folder: Path, weights="fp
 def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Report:
     """eps-v1. Errors as above."""
     facts = {"latent": list(given.latent), "context": list(given.context), "batch": "dynamic"}
+    if given.beside is not None:
+        facts["beside"] = list(given.beside)
     if given.schedule is not None:
         facts["schedule"] = given.schedule.as_json()
     if given.nothing is not None:
@@ -135,11 +160,26 @@ def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Rep
         said = contracts.nothing_faults(facts)
         if said:
             raise ModelError(" ".join(said))
-    return _write(losses.eps(given.network), contracts.eps(given.latent, given.context), facts, label, folder, weights)
+    return _write(losses.eps(given.network), contracts.eps(given.latent, given.context, given.beside), facts, label, folder, weights)
+
+
+def pose_encoder(given: PoseEncoder, label: Label, folder: Path, weights="fp32") -> Report:
+    """pose-v1. Errors as above."""
+    facts = {"size": given.size, "context": list(given.context), "batch": "dynamic", **_picture_facts()}
+    return _write(losses.pose(given.network), contracts.pose(given.size, given.context), facts, label, folder, weights)
 
 
 def _picture_facts() -> dict:
     return {"range": [0, 1], "layout": "NCHW", "colour": "sRGB"}
+
+
+def _write_of_words(function, contract: Contract, facts: dict, tokenizer: dict | None, label: Label, folder: Path, weights: str):
+    if tokenizer is not None:
+        facts["tokenizer"] = f"{label.name}.tokenizer.json"
+    report = _write(function, contract, facts, label, folder, weights)
+    if tokenizer is not None:
+        sidecar.write(tokenizer, folder / facts["tokenizer"])
+    return report
 
 
 def _write(function: Callable, contract: Contract, facts: dict, label: Label, folder: Path, weights: str) -> Report:

@@ -70,7 +70,7 @@ def _program(function, example, contract) -> onnx.ModelProto:
     traced.eval()
     if contract.dynamic:
         batch = torch.export.Dim(BATCH, min=2, max=1024)
-        traced = torch.export.export(traced, example, dynamic_shapes=tuple({0: batch} for _ in example))
+        traced = torch.export.export(traced, example, dynamic_shapes=tuple({0: batch} if BATCH in port.shape else {} for port in contract.inputs))
         exported = torch.onnx.export(traced, dynamo=True, opset_version=OPSET, verbose=False, **names)
     else:
         exported = torch.onnx.export(traced, example, dynamo=True, opset_version=OPSET, verbose=False, **names)

@@ -59,7 +59,19 @@ def text(encoder: torch.nn.Module) -> Callable:
     return lambda ids: (unit(encoder(ids.to(torch.int64))),)
 
 
+def context(encoder: torch.nn.Module) -> Callable:
+    """context-v1 of an encoder int64 [n,tokens] -> [n,N,D]."""
+    encoder = frozen(encoder)
+    return lambda ids: (encoder(ids.to(torch.int64)),)
+
+
+def pose(encoder: torch.nn.Module) -> Callable:
+    """pose-v1 of an encoder (image [1,3,S,S] in 0..1, pose [n,4]) -> [n,N,D]."""
+    encoder = frozen(encoder)
+    return lambda image, pose: (encoder(image, pose),)
+
+
 def eps(denoiser: torch.nn.Module) -> Callable:
-    """eps-v1 of a denoiser (x_t, t, context) -> eps; t is a float in 0..999."""
+    """eps-v1 of a denoiser (x_t, t, context) -> eps, or (x_t, t, context, beside) -> eps; t is a float in 0..999."""
     denoiser = frozen(denoiser)
-    return lambda x_t, t, context: (denoiser(x_t, t, context),)
+    return lambda *given: (denoiser(*given),)

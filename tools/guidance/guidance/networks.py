@@ -81,10 +81,20 @@ class TinyText(nn.Module):
         self.blocks = nn.Sequential(*(Block(width, heads, causal=True) for _ in range(depth)), nn.LayerNorm(width))
         self.project = nn.Parameter(torch.randn(width, embed) * width**-0.5)
 
+    def states(self, ids):
+        return self.blocks(self.words(ids) + self.place)
+
     def forward(self, ids):
-        x = self.blocks(self.words(ids) + self.place)
+        x = self.states(ids)
         end = F.one_hot(ids.argmax(-1), self.context).to(x.dtype)
         return (x * end.unsqueeze(-1)).sum(1) @ self.project
+
+
+class TinyContext(TinyText):
+    """Its states, token by token: int64 [n,context] -> [n,context,width]."""
+
+    def forward(self, ids):
+        return self.states(ids)
 
 
 class Residual(nn.Module):

@@ -27,18 +27,17 @@ def inputs(contract: Contract) -> list[tuple[str, dict[str, dict]]]:
         ]
     if contract.kind == "vjp-v1":
         return [("pull", {"image": image, "cotangent": {"fill": "signed", "seed": 4}})]
-    if contract.kind == "text-v1":
+    if contract.kind in ("text-v1", "context-v1"):
         return [("words", {"ids": {"fill": "count", "first": 1}})]
-    return [
-        (
-            "denoise",
-            {
-                "x_t": {"fill": "signed", "seed": 5},
-                "t": {"fill": "constant", "value": 500.0},
-                "context": {"fill": "signed", "seed": 6},
-            },
-        )
-    ]
+    if contract.kind == "pose-v1":
+        return [("see", {"image": image, "pose": {"fill": "signed", "seed": 7}})]
+    denoise = {
+        "x_t": {"fill": "signed", "seed": 5},
+        "t": {"fill": "constant", "value": 500.0},
+        "context": {"fill": "signed", "seed": 6},
+        "beside": {"fill": "signed", "seed": 8},
+    }
+    return [("denoise", {port.name: denoise[port.name] for port in contract.inputs})]
 
 
 FILLS = {

