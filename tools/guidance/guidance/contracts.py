@@ -8,6 +8,8 @@
 | vjp-v1 | image[1,3,H,W], cotangent like latent | latent[1,C,h,w], grad like image |
 | pose-v1 | image[1,3,S,S], pose[batch,4] | context[batch,N,D] |
 | eps-v1 | x_t[batch,C,h,w], t[batch], context[batch,N,D]; and beside[batch,C,h,w], where its sidecar has `beside` | eps like x_t |
+| mask-v1 | image[1,3,H,W] | mask[1,1,H,W], 0 (ground) to 1 (object) |
+| depth-v1 | image[1,3,H,W] | depth[1,1,H,W], larger is nearer |
 
 Everything but `ids` is float32. Images are sRGB in 0..1, channels first, red first; what a network wants instead (mean,
 deviation, -1..1) is folded into the graph, gradients included.
@@ -18,7 +20,7 @@ from dataclasses import dataclass
 from .errors import ContractError
 
 BATCH = "batch"
-KINDS = ("guidance-v1", "text-v1", "context-v1", "pose-v1", "vjp-v1", "eps-v1")
+KINDS = ("guidance-v1", "text-v1", "context-v1", "pose-v1", "vjp-v1", "eps-v1", "mask-v1", "depth-v1")
 Shape = tuple[int | str, ...]
 
 
@@ -109,6 +111,11 @@ def eps(latent: tuple[int, int, int], context: tuple[int, int], beside: tuple[in
     return Contract("eps-v1", inputs + more, (Port("eps", code),))
 
 
+def sight(what: str, image: tuple[int, int]) -> Contract:
+    """`mask` or `depth` of a whole picture; `image` is (height, width) in pixels."""
+    return Contract(f"{what}-v1", (Port("image", (1, 3, *image)),), (Port(what, (1, 1, *image)),))
+
+
 def of_sidecar(sidecar: dict, file: str) -> Contract:
     """The contract that a sidecar's kind and sizes ask for.
 
@@ -136,6 +143,8 @@ def of_sidecar(sidecar: dict, file: str) -> Contract:
         return vjp(tuple(sizes("image", 2)), tuple(sizes("latent", 3)))
     if kind == "pose-v1":
         return pose(*sizes("size", 1), tuple(sizes("context", 2)))
+    if kind in ("mask-v1", "depth-v1"):
+        return sight(kind.removesuffix("-v1"), tuple(sizes("image", 2)))
     beside = tuple(sizes("beside", 3)) if "beside" in sidecar else None
     return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)), beside)
 

@@ -169,6 +169,12 @@ def pose_encoder(given: PoseEncoder, label: Label, folder: Path, weights="fp32")
     return _write(losses.pose(given.network), contracts.pose(given.size, given.context), facts, label, folder, weights)
 
 
+def sight(what: str, network: torch.nn.Module, image: tuple[int, int], label: Label, folder: Path, weights="fp32") -> Report:
+    """mask-v1 or depth-v1, as `what` says, of a network [1,3,H,W] in 0..1 -> [1,1,H,W]. Errors as above."""
+    facts = {"image": list(image), "batch": 1, **_picture_facts()}
+    return _write(losses.sight(network), contracts.sight(what, image), facts, label, folder, weights)
+
+
 def _picture_facts() -> dict:
     return {"range": [0, 1], "layout": "NCHW", "colour": "sRGB"}
 

@@ -75,3 +75,9 @@ def eps(denoiser: torch.nn.Module) -> Callable:
     """eps-v1 of a denoiser (x_t, t, context) -> eps, or (x_t, t, context, beside) -> eps; t is a float in 0..999."""
     denoiser = frozen(denoiser)
     return lambda *given: (denoiser(*given),)
+
+
+def sight(network: torch.nn.Module) -> Callable:
+    """mask-v1 or depth-v1 of a network [1,3,H,W] in 0..1 -> [1,1,H,W]."""
+    network = frozen(network)
+    return lambda image: (network(image),)

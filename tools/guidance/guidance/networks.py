@@ -153,3 +153,11 @@ class TinyUnet(nn.Module):
         low = (tokens + seen).transpose(1, 2).reshape(n, width, rows, columns)
         low = self.up(F.interpolate(low, scale_factor=2.0, mode="nearest"))
         return self.last(self.after(torch.cat([high, low], 1), time))
+
+
+class TinySight(nn.Module):
+    """What is red is the object, or near."""
+
+    def forward(self, image):
+        red = image[:, :1] - image[:, 1:].amax(1, keepdim=True)
+        return torch.sigmoid(20 * (red - 0.25))

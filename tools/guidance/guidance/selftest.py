@@ -29,6 +29,8 @@ def inputs(contract: Contract) -> list[tuple[str, dict[str, dict]]]:
         return [("pull", {"image": image, "cotangent": {"fill": "signed", "seed": 4}})]
     if contract.kind in ("text-v1", "context-v1"):
         return [("words", {"ids": {"fill": "count", "first": 1}})]
+    if contract.kind in ("mask-v1", "depth-v1"):
+        return [("see", {"image": image})]
     if contract.kind == "pose-v1":
         return [("see", {"image": image, "pose": {"fill": "signed", "seed": 7}})]
     denoise = {

@@ -15,7 +15,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tools/guidance"))
 
-from guidance import contracts, export, noise, selftest, sidecar, sources, tokens  # noqa: E402
+from guidance import contracts, export, networks, noise, selftest, sidecar, sources, tokens  # noqa: E402
 from guidance.runtime import Session  # noqa: E402
 
 FOLDER = ROOT / "tests/data/guidance"
@@ -52,6 +52,9 @@ def make(folder: Path) -> None:
     for name, (write, part, model) in OTHERS.items():
         report = write(sources.load(part, model), export.Label(name, "random numbers, seeded", LICENCE), folder, "fp16")
         answers(report.file)
+    for what in ("mask", "depth"):
+        label = export.Label(f"{what}-tiny", "what is red", LICENCE)
+        answers(export.sight(what, networks.TinySight(), (32, 32), label, folder).file)
     sidecar.write(formulas(), folder / "formulas.json")
 
 

@@ -5,7 +5,7 @@ import { briefly, GuidanceError } from "./fault";
 import { fetched } from "./fetching";
 import { MOST_TEXT } from "./fields";
 import { refuseTooLarge } from "./memory";
-import { factsOf, openModel, type About, type Facts, type Model } from "./model";
+import { factsOf, openModel, type About, type Facts } from "./model";
 import type { Provider } from "./runtime";
 import { Shelf, type Kept, type Texts } from "./shelf";
 import { models, opened } from "./opened";

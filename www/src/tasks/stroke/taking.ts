@@ -7,7 +7,7 @@ import type { Bench } from "../../state/contract/bench";
 import { givenFor, QUIET, type PadState, type TaskState } from "../../state/contract/state";
 import type { Files, Taker } from "../../state/contract/task";
 import { withGiven } from "../../state/keeping/document";
-import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
+import { kept, pixelsOf, readPicture, type KeptPicture } from "../../state/picture/picture";
 import { hintsOf, isPointedAt, type MaskStroke, type Subject } from "./given";
 import type { FoundObject } from "./protocol";
 
@@ -37,8 +37,8 @@ export class SubjectTaker implements Taker<Subject | null> {
   async give(file: Blob, name: string): Promise<void> {
     await this.attempt(name, async () => {
       const { note, ...pixels } = await readPicture(file, name);
-      const depth = await this.guessDepth({ name, ...pixels });
-      const subject: Subject = { picture: kept(pixels, name), object: 1, strokes: [], found: null, depth };
+      const picture = kept(pixels, name);
+      const subject: Subject = { picture, object: 1, strokes: [], found: null, depth: await this.guessDepth(picture) };
       const take = (found: Subject["found"]): void => this.edit(`Take the picture ${name}`, { ...subject, found });
       try {
         take(await this.seek(subject));
@@ -135,8 +135,8 @@ export class SubjectTaker implements Taker<Subject | null> {
   }
 
   /** As a network says, where one is open; a picture is fine without. */
-  private async guessDepth(picture: Picture): Promise<Subject["depth"]> {
-    const guessed = await this.bench.engine.call("guessDepth", { picture }).catch(() => null);
+  private async guessDepth(picture: KeptPicture): Promise<KeptPicture | null> {
+    const guessed = await this.bench.engine.call("guessDepth", { picture: await pixelsOf(picture) }).catch(() => null);
     return guessed && kept(guessed, guessed.name);
   }
 
