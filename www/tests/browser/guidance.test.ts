@@ -47,6 +47,7 @@ site.server.on("request", (request, response) => {
 type Json = { [key: string]: unknown };
 /** Of what goes into a call, arrays of numbers and files, which travel to the page as text and lists. */
 const f32 = (numbers: ArrayLike<number>) => ({ f32: Array.from(numbers) });
+const u8 = (numbers: ArrayLike<number>) => ({ u8: Array.from(numbers) });
 const file = (name: string, bytes: Uint8Array | string) => ({ name, base64: Buffer.from(bytes as Uint8Array).toString("base64") });
 const files = (onnx: Uint8Array = ONNX, sidecar = SIDECAR) => ({ files: [file("vit.onnx", onnx), file("vit.json", sidecar)] });
 /** A sidecar for other bytes, and whatever else is different. */
@@ -81,14 +82,15 @@ async function engine(options: VisitOptions = {}, path = "bare", where: Browser 
         const typed = (value: unknown): unknown => {
           if (typeof value !== "object" || value === null) return value;
           if (Array.isArray(value)) return value.map(typed);
-          const { f32, i32, name, base64 } = value as { f32?: number[]; i32?: number[]; name?: string; base64?: string };
+          const { f32, i32, u8, name, base64 } = value as { f32?: number[]; i32?: number[]; u8?: number[]; name?: string; base64?: string };
           if (f32) return Float32Array.from(f32);
+          if (u8) return Uint8ClampedArray.from(u8);
           if (i32) return Int32Array.from(i32);
           if (base64 !== undefined) return new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name!);
           return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, typed(inner)]));
         };
         const plain = (value: unknown): unknown => {
-          if (value instanceof Float32Array) return Array.from(value);
+          if (value instanceof Float32Array || value instanceof Uint8Array || value instanceof Uint8ClampedArray) return Array.from(value);
           if (typeof value !== "object" || value === null) return value;
           return Array.isArray(value) ? value.map(plain) : Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, plain(inner)]));
         };
@@ -182,6 +184,49 @@ it("says that a card was lost, and opens the model again on another", async () =
   expect(await problem(ask())).toMatch(/^“text-tiny” could not be computed \(.*\)\. Open it again/);
   expect((await openOnCard()).provider).toBe("webgpu");
   expect(await problem(ask())).toBe("");
+  await page.context().close();
+});
+
+it("sees the object where the app is not sure, and how near things are", async () => {
+  const { page, call, open } = await engine();
+  const [side, count] = [96, 96 * 96];
+  // Coarse grain all over, red in the lower right quarter: a photograph without a thing to the app.
+  let state = 7;
+  const random = (): number => (state = (state * 1103515245 + 12345) % 2 ** 31) / 2 ** 31;
+  const grain = Array.from({ length: count / 9 }, random);
+  const isRed = (i: number): boolean => i % side >= side / 2 && Math.floor(i / side) >= side / 2;
+  const rgba = Array.from({ length: count }, (_, i) => {
+    const light = 60 + 150 * grain[Math.floor(Math.floor(i / side) / 3) * (side / 3) + Math.floor((i % side) / 3)]!;
+    return isRed(i) ? [Math.min(255, light + 110), light / 3, light / 3, 255] : [light, light, light, 255];
+  }).flat();
+  const picture = { name: "grain.jpg", width: side, height: side, rgba: u8(rgba) };
+  const find = async (key: number) => (await call("find", { key, picture, object: 1, hints: { box: null, marks: [] } }))!;
+  const shares = ({ mask, width, height }: { mask: ArrayLike<number>; width: number; height: number }) => {
+    const inside = (isThere: (x: number, y: number) => boolean): number => {
+      const found = Array.from(mask).filter((_, i) => isThere((i % width) / width, Math.floor(i / width) / height));
+      return found.reduce((sum, value) => sum + value / 255, 0) / found.length;
+    };
+    return [inside((x, y) => x >= 0.53 && y >= 0.53), inside((x, y) => x < 0.47 || y < 0.47)] as const;
+  };
+  expect(await call("guessDepth", { picture })).toBeNull();
+  const before = await find(1);
+  expect(before.isSure).toBe(false);
+  const opened = async (name: string) => open({ files: ["onnx", "json"].map((ending) => file(`${name}.${ending}`, read(`${name}.${ending}`))) });
+  await opened("mask-tiny");
+  const found = await find(2);
+  expect(found.notes[0]).toBe("The object is as the network mask-tiny sees it.");
+  const [red, rest] = shares(found);
+  expect(red).toBeGreaterThan(0.95);
+  expect(rest).toBeLessThan(0.05);
+  // Whoever points means what they point at.
+  const pointed = await call("find", { key: 2, picture: null, object: 1, hints: { box: [6, 6, 40, 40], marks: [] } });
+  expect(pointed!.notes.join()).not.toContain("mask-tiny");
+  await opened("depth-tiny");
+  const near = (await call("guessDepth", { picture }))!;
+  expect([near.name, near.width, near.height]).toEqual(["grain.jpg, as depth-tiny sees it", side, side]);
+  const [nearRed, nearRest] = shares({ ...near, mask: near.rgba.filter((_, i) => i % 4 === 0) });
+  expect(nearRed).toBeGreaterThan(0.9);
+  expect(nearRest).toBeLessThan(0.1);
   await page.context().close();
 });
 
