@@ -7,6 +7,7 @@
 import { sha256Of } from "./checksum";
 import { GuidanceError } from "./fault";
 import { Fields } from "./fields";
+import { singularsOf } from "./singulars";
 
 const [MOST_WORDS, MOST_EMBED, MOST_TYPED] = [200_000, 4096, 100];
 
@@ -47,6 +48,11 @@ export class Words {
     const row = this.row(place);
     const length = Math.sqrt(dot(row, row));
     return length > 0 ? Float32Array.from(row, (v) => v / length) : null;
+  }
+
+  /** Of the word that is most likely meant. */
+  meaning(typed: string): Float32Array<ArrayBuffer> | null {
+    return this.vector(typed) ?? this.vector(this.meant(typed, 1)[0] ?? "");
   }
 
   /** Words that a person may have meant, likeliest first: the word itself, one or many of it, what begins so, what is misspelt so. */
@@ -106,11 +112,7 @@ function numbersOf(word: string): string[] {
   const forms = [`${word}s`, `${word}es`];
   if (word.endsWith("y")) forms.push(`${word.slice(0, -1)}ies`);
   if (/fe?$/.test(word)) forms.push(word.replace(/fe?$/, "ves"));
-  if (word.endsWith("s")) forms.push(word.slice(0, -1));
-  if (word.endsWith("es")) forms.push(word.slice(0, -2));
-  if (word.endsWith("ies")) forms.push(`${word.slice(0, -3)}y`);
-  if (word.endsWith("ves")) forms.push(`${word.slice(0, -3)}f`, `${word.slice(0, -3)}fe`);
-  return forms;
+  return [...forms, ...singularsOf(word)];
 }
 
 /** Letters to put in, take out, exchange or swap until one word is the other; more than `most` where it is more. */
