@@ -90,3 +90,16 @@ it("gives what an address asks for to the task it names, once it is known what t
   look("multiview");
   expect(options.all).toEqual({});
 });
+
+it("keeps what guides each task, and nothing where nothing was said", () => {
+  options.say("front", "umbrella");
+  options.guideBy({ weight: 1 });
+  look("stroke");
+  options.say("front", "");
+  expect(doc.desks["stroke"]?.guide).toBeNull();
+  options.say("front", "cat");
+  options.say("front", "");
+  expect(doc.desks["stroke"]!.guide).toBeNull();
+  expect(doc.desks["multiview"]!.guide).toEqual({ words: { front: "umbrella" }, weight: 1, by: "icons" });
+  expect(labels).toEqual(["Guide by words", "Guide by words", "Guide by pictures alone", "Guide by words", "Guide by pictures alone"]);
+});

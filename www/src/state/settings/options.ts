@@ -1,6 +1,6 @@
 /** The settings of the task that is looked at: what they are, and how they change. */
 
-import type { Guide, SettingsTables, SettingValues } from "../../engine/protocol";
+import { ICONS, USUAL_WEIGHT, type Guide, type SettingsTables, type SettingValues } from "../../engine/protocol";
 import type { Bench, Settings } from "../contract/bench";
 import { tableOf } from "../contract/state";
 import type { Task } from "../contract/task";
@@ -41,10 +41,17 @@ export class Options implements Settings {
     this.put(label, table ? known(next, table) : next, kind);
   }
 
-  /** Words that guide the next runs; null for none. */
-  guideBy(guide: Guide | null): void {
+  /** Changes what guides the next runs; as long as nothing was said of it, there is none. */
+  guideBy(change: Partial<Guide>): void {
     const { doc } = this.bench;
-    this.bench.edit(guide ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide }), "guide");
+    const guide: Guide = { words: {}, weight: USUAL_WEIGHT, by: ICONS, ...deskOf(doc).guide, ...change };
+    const isSaid = guide.by !== ICONS || guide.weight !== USUAL_WEIGHT || Object.values(guide.words).some(Boolean);
+    this.bench.edit(isSaid ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide: isSaid ? guide : null }), "guide");
+  }
+
+  /** A word for a view; empty for none. */
+  say(view: string, word: string): void {
+    this.guideBy({ words: { ...deskOf(this.bench.doc).guide?.words, [view]: word } });
   }
 
   reset(): void {
