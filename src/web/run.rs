@@ -1,6 +1,9 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
-use crate::guidance::{Asks, GuidanceFunction, Networks, Vectors, by_words};
+use crate::guidance::{
+    Asks, Contexts, DenoiserObject, DiffusionOptions, EncoderObject, GuidanceFunction, Networks, Vectors, WordsOptions,
+    by_diffusion, by_words,
+};
 use crate::made::{Made, WireData};
 use crate::pictures::{DrawingSet, Ink, ViewTarget};
 use crate::subject::Subject;
@@ -9,9 +12,11 @@ use crate::{json, parse_settings};
 use wasm_bindgen::prelude::*;
 use wire4d::Result;
 use wire4d::optimize::Session;
+use wire4d::sculpture;
 use wire4d::settings::{Settings, Task};
 use wire4d::tasks::{self, fill, multiview, stroke};
 use wire4d::view::{Image, Target};
+use wire4d::wire::Wire;
 
 /// Iterations after which the page is asked whether to go on at all.
 const MOST_AT_ONCE: usize = 64;
@@ -201,9 +206,31 @@ impl Run {
         weight: f32,
         networks: Networks,
         vectors: Vectors,
+        options: Option<WordsOptions>,
     ) -> Result<(), JsError> {
-        let learned = by_words(networks, vectors, self.0.settings().seed)?;
+        let options = options.map_or(JsValue::UNDEFINED, JsValue::from);
+        let (form, seed) = (self.session().wire().form(), self.0.settings().seed);
+        let views = &self.session().problem().targets;
+        let look = |wire: &Wire, view: usize| sculpture::render(wire, &views[view].view);
+        let learned = by_words(networks, vectors, &options, form, seed, look)?;
         self.0.guide_by(name, weight, Box::new(learned));
+        Ok(())
+    }
+
+    /// [`Run::set_guidance`] by a diffusion model, whose latents `encoder` makes: each view becomes what the model thinks that
+    /// its context is of.
+    #[wasm_bindgen(js_name = guideByDiffusion)]
+    pub fn guide_by_diffusion(
+        &mut self,
+        name: &str,
+        weight: f32,
+        denoiser: DenoiserObject,
+        encoder: EncoderObject,
+        contexts: Contexts,
+        options: DiffusionOptions,
+    ) -> Result<(), JsError> {
+        let distilled = by_diffusion(denoiser, encoder, contexts, options, self.0.settings().seed)?;
+        self.0.guide_by(name, weight, Box::new(distilled));
         Ok(())
     }
 
