@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from . import contracts, selftest, sidecar
+from . import contracts, schedule, selftest, sidecar
 from .errors import ContractError
 from .runtime import Session
 
@@ -29,6 +29,10 @@ def check(file: Path) -> dict:
         if len(entry["vector"]) != facts["embed"]:
             said = f"{entry['prompt']!r} has {len(entry['vector'])} numbers and the file's have {facts['embed']}"
             faults.append(f"The embedding of {said}: it is another model's.")
+    if facts["kind"] == "eps-v1" and "schedule" in facts:
+        faults += schedule.faults(facts["schedule"])
+    if facts["kind"] == "eps-v1" and "nothing" in facts:
+        faults += contracts.nothing_faults(facts)
     if faults:
         raise ContractError(file.name, faults)
     try:

@@ -119,6 +119,15 @@ def of_sidecar(sidecar: dict, file: str) -> Contract:
     return eps(tuple(sizes("latent", 3)), tuple(sizes("context", 2)))
 
 
+def nothing_faults(sidecar: dict) -> list[str]:
+    """A sentence where an eps-v1 sidecar's `nothing` is no context: tokens times numbers a token, one after another."""
+    given, (tokens, numbers) = sidecar["nothing"], sidecar["context"]
+    fine = isinstance(given, list) and all(type(g) in (int, float) and abs(g) < float("inf") for g in given)
+    if fine and len(given) == tokens * numbers:
+        return []
+    return [f"'nothing' must be {tokens * numbers} finite numbers, a context of {tokens} tokens of {numbers}."]
+
+
 def _faults(side: str, wanted: tuple[Port, ...], given: list[Port]) -> list[str]:
     have = {port.name: port for port in given}
     said = []

@@ -12,6 +12,7 @@ from . import contracts, graph, losses, selftest, sidecar, storage
 from .contracts import Contract
 from .errors import ModelError
 from .runtime import Session
+from .schedule import Schedule
 
 AGREEMENT = {"fp32": 0.999999, "fp16": 0.9999, "int8": 0.98}  # least cosine of any output with torch's
 
@@ -48,11 +49,14 @@ class LatentEncoder:
 
 @dataclass(frozen=True)
 class Denoiser:
-    """A network (x_t [n,*latent], t [n], context [n,*context]) -> eps like x_t."""
+    """A network (x_t [n,*latent], t [n], context [n,*context]) -> eps like x_t. `schedule` says how its noise grows, and `nothing`,
+    where no empty prompt gives it, the context of nothing."""
 
     network: torch.nn.Module
     latent: tuple[int, int, int]
     context: tuple[int, int]
+    schedule: Schedule | None = None
+    nothing: np.ndarray | None = None
 
 
 @dataclass(frozen=True)
@@ -124,6 +128,13 @@ def latent_encoder(given: LatentEncoder, label: Label, folder: Path, weights="fp
 def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Report:
     """eps-v1. Errors as above."""
     facts = {"latent": list(given.latent), "context": list(given.context), "batch": "dynamic"}
+    if given.schedule is not None:
+        facts["schedule"] = given.schedule.as_json()
+    if given.nothing is not None:
+        facts["nothing"] = [float(f"{value:.9g}") for value in np.ravel(given.nothing)]
+        said = contracts.nothing_faults(facts)
+        if said:
+            raise ModelError(" ".join(said))
     return _write(losses.eps(given.network), contracts.eps(given.latent, given.context), facts, label, folder, weights)
 
 

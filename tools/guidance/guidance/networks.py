@@ -122,11 +122,11 @@ class TinyVae(nn.Module):
 
 
 class TinyUnet(nn.Module):
-    """A denoiser with one level down and attention to a context. (x [n,4,h,w], t [n], context [n,N,D]) -> [n,4,h,w]."""
+    """A denoiser with one level down and attention to a context. (x [n,C,h,w], t [n], context [n,N,D]) -> [n,C,h,w]."""
 
-    def __init__(self, width=8, context=16):
+    def __init__(self, width=8, context=16, channels=4):
         super().__init__()
-        self.first, self.last = nn.Conv2d(4, width, 3, padding=1), nn.Conv2d(width, 4, 3, padding=1)
+        self.first, self.last = nn.Conv2d(channels, width, 3, padding=1), nn.Conv2d(width, channels, 3, padding=1)
         self.before, self.after = Residual(width, width, 8), Residual(2 * width, width, 8)
         self.down, self.up = nn.Conv2d(width, width, 3, 2, 1), nn.Conv2d(width, width, 3, padding=1)
         self.query, self.key, self.value = nn.Linear(width, width), nn.Linear(context, width), nn.Linear(context, width)

@@ -1,5 +1,4 @@
-"""Makes tests/data/guidance again: a tiny guidance-v1 file and a tiny text-v1 file, their sidecars, and all that they should
-answer; and what the formulas and a tokenizer give, for whoever writes them in another language.
+"""Makes tests/data/guidance again: tiny files of every kind, their sidecars, and all that they should answer; and what the formulas and a tokenizer give, for whoever writes them in another language.
 
     python scripts/make_fixture.py [FOLDER]
 
@@ -23,6 +22,12 @@ FOLDER = ROOT / "tests/data/guidance"
 NAME = "vit-tiny"
 TEXT = "text-tiny"
 LICENCE = "made up for tests: as this repository"
+# `eps-tiny` denoises latents of `vjp-tiny`; `eps-pixels-tiny` grey pixels.
+OTHERS = {
+    "vjp-tiny": (export.latent_encoder, "latent", "tiny:square"),
+    "eps-tiny": (export.denoiser, "denoiser", "tiny"),
+    "eps-pixels-tiny": (export.denoiser, "denoiser", "tiny:pixels"),
+}
 CORPUS = (
     "a photo of a cat, a photo of a dog, a wire drawing of a cat, the cat's tail and the dog's tail, one continuous wire that "
     "draws a flower, a sculpture of wire, drawings, photographs, flowers and sculptures made of continuous wires, they're there"
@@ -41,9 +46,12 @@ TEXTS = (
 
 
 def make(folder: Path) -> None:
-    """Writes {vit-tiny,text-tiny}.{onnx,json,expected.json}, vit-tiny.expected.bin, text-tiny.tokenizer.json and formulas.json."""
+    """Writes NAME.onnx, NAME.json and NAME.expected.json of each kind, vit-tiny.expected.bin, text-tiny.tokenizer.json and formulas.json."""
     image(folder)
     text(folder)
+    for name, (write, part, model) in OTHERS.items():
+        report = write(sources.load(part, model), export.Label(name, "random numbers, seeded", LICENCE), folder, "fp16")
+        answers(report.file)
     sidecar.write(formulas(), folder / "formulas.json")
 
 
@@ -78,6 +86,15 @@ def text(folder: Path) -> None:
     session = Session(report.file)
     rows = [{"text": t, "embedding": numbers(session.run({"ids": tokenizer([t])})["embedding"])} for t in TEXTS[:3]]
     sidecar.write({"about": "What the file answers to texts.", "texts": rows}, folder / f"{TEXT}.expected.json")
+
+
+def answers(file: Path) -> None:
+    """Writes what a file answers to the one case of its self-test."""
+    facts = sidecar.read(sidecar.path_of(file))
+    contract, (case,) = contracts.of_sidecar(facts, file.name), facts["selftest"]["cases"]
+    found = Session(file).run(selftest.feeds(case, contract, facts["selftest"]["batch"]))
+    about = {"about": "What the file answers to the case of its sidecar's self-test."}
+    sidecar.write(about | {name: numbers(values, 7) for name, values in found.items()}, file.with_suffix(".expected.json"))
 
 
 def formulas() -> dict:

@@ -5,13 +5,16 @@ import runpy
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from guidance import contracts, selftest, sidecar
+from guidance.check import check
 from guidance.runtime import Session
 from tests.conftest import FIXTURE
 
 SCRIPT = Path(__file__).resolve().parents[1] / "scripts/make_fixture.py"
 FILE = FIXTURE / "vit-tiny.onnx"
+OTHERS = ("vjp-tiny", "eps-tiny", "eps-pixels-tiny")
 
 
 def test_answers_what_is_expected():
@@ -26,7 +29,23 @@ def test_answers_what_is_expected():
         assert np.linalg.norm(answer - wanted) <= 1e-5 * np.linalg.norm(wanted)
 
 
+@pytest.mark.parametrize("name", OTHERS)
+def test_the_others_answer_what_is_expected(name):
+    facts, wanted = check(FIXTURE / f"{name}.onnx"), json.loads((FIXTURE / f"{name}.expected.json").read_text())
+    contract, (case,) = contracts.of_sidecar(facts, name), facts["selftest"]["cases"]
+    found = Session(FIXTURE / f"{name}.onnx").run(selftest.feeds(case, contract, facts["selftest"]["batch"]))
+    for port in contract.outputs:
+        assert np.linalg.norm(found[port.name].ravel() - wanted[port.name]) <= 1e-5 * np.linalg.norm(wanted[port.name])
+
+
+def test_the_two_halves_of_a_latent_model_fit():
+    latent, eps = (sidecar.read(FIXTURE / f"{name}.json") for name in ("vjp-tiny", "eps-tiny"))
+    assert latent["latent"] == eps["latent"]
+
+
 def test_is_small():
+    for name in OTHERS:
+        assert (FIXTURE / f"{name}.onnx").stat().st_size < 60_000
     assert FILE.stat().st_size + sidecar.path_of(FILE).stat().st_size < 150_000
 
 

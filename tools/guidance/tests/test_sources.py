@@ -94,7 +94,7 @@ def test_diffusers(tmp_path):
         layers_per_block=1, down_block_types=("CrossAttnDownBlock2D", "DownBlock2D"),
         up_block_types=("UpBlock2D", "CrossAttnUpBlock2D"),
     )  # fmt: skip
-    assert exports(export.denoiser, diffusers.denoiser_of(unet.eval(), 5), tmp_path)["context"] == [5, 16]
+    assert exports(export.denoiser, diffusers.denoiser_of(unet.eval(), tokens=5), tmp_path)["context"] == [5, 16]
 
 
 @pytest.mark.parametrize(

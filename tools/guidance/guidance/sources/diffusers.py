@@ -1,8 +1,10 @@
 """Latent diffusion models in the form of diffusers: a folder that holds one model's config and weights, or a name."""
 
+from pathlib import Path
+
 import torch
 
-from .. import export
+from .. import export, schedule
 from . import loaded, need
 
 PIXELS = 512
@@ -17,9 +19,14 @@ def latent(model: str, _checkpoint=None) -> export.LatentEncoder:
 
 
 def denoiser(model: str, _checkpoint=None) -> export.Denoiser:
-    """UNet2DConditionModel, with 77 tokens of context."""
+    """UNet2DConditionModel, with 77 tokens of context. How noise grows is read from the `scheduler` folder beside the UNet's; without
+    one it is taken to be Stable Diffusion's."""
     library = need("diffusers")
-    return denoiser_of(loaded(model, lambda: library.UNet2DConditionModel.from_pretrained(model)))
+    unet = loaded(model, lambda: library.UNet2DConditionModel.from_pretrained(model))
+    beside, found = Path(model).parent / "scheduler", schedule.STABLE_DIFFUSION
+    if (beside / "scheduler_config.json").exists():
+        found = schedule.of_config(loaded(str(beside), lambda: library.DDPMScheduler.load_config(str(beside))))
+    return denoiser_of(unet, found)
 
 
 def latent_of(vae: torch.nn.Module, pixels: int = PIXELS) -> export.LatentEncoder:
@@ -30,12 +37,12 @@ def latent_of(vae: torch.nn.Module, pixels: int = PIXELS) -> export.LatentEncode
     return export.LatentEncoder(network, (pixels, pixels), tuple(int(d) for d in shape[1:]))
 
 
-def denoiser_of(unet: torch.nn.Module, tokens: int = 77) -> export.Denoiser:
+def denoiser_of(unet: torch.nn.Module, grows=schedule.STABLE_DIFFUSION, tokens: int = 77) -> export.Denoiser:
     """A UNet2DConditionModel that is there already."""
     config = unet.config
     size = config.sample_size
     rows, columns = (size, size) if isinstance(size, int) else size
-    return export.Denoiser(_Denoiser(unet), (config.in_channels, rows, columns), (tokens, config.cross_attention_dim))
+    return export.Denoiser(_Denoiser(unet), (config.in_channels, rows, columns), (tokens, config.cross_attention_dim), grows)
 
 
 class _Latent(torch.nn.Module):

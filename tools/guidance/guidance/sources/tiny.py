@@ -1,8 +1,10 @@
 """The tiny networks of `networks`, seeded: to try the commands, and for tests."""
 
+import numpy as np
 import torch
 
-from .. import export, networks, tokens
+from .. import export, networks, noise, tokens
+from ..schedule import STABLE_DIFFUSION, Schedule
 
 MEAN, STD = (0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711)
 CONTEXT = 16
@@ -22,13 +24,18 @@ def text(_model: str, _checkpoint=None) -> export.TextEncoder:
     return export.TextEncoder(network, CONTEXT, network.embed, tokens.file_of(merges, CONTEXT))
 
 
-def latent(_model: str, _checkpoint=None) -> export.LatentEncoder:
-    """32 x 48 pixels, rows by columns."""
-    return export.LatentEncoder(_seeded(networks.TinyVae), (32, 48), (4, 8, 12))
+def latent(model: str, _checkpoint=None) -> export.LatentEncoder:
+    """32 x 48 pixels, rows by columns; `square` has 32 x 32, for the denoiser's latents."""
+    columns = 32 if model == "square" else 48
+    return export.LatentEncoder(_seeded(networks.TinyVae), (32, columns), (4, 8, columns // 4))
 
 
-def denoiser(_model: str, _checkpoint=None) -> export.Denoiser:
-    return export.Denoiser(_seeded(networks.TinyUnet), (4, 8, 8), (5, 16))
+def denoiser(model: str, _checkpoint=None) -> export.Denoiser:
+    """Of latents; `pixels` is one of grey pixels, with a row of the word table's length for context."""
+    if model == "pixels":
+        network = _seeded(lambda: networks.TinyUnet(context=96, channels=1))
+        return export.Denoiser(network, (1, 16, 16), (1, 96), Schedule("cosine"), np.eye(96)[-1:])
+    return export.Denoiser(_seeded(networks.TinyUnet), (4, 8, 8), (5, 16), STABLE_DIFFUSION, noise.signed(9, (5, 16)))
 
 
 def _seeded(make) -> torch.nn.Module:
