@@ -56,7 +56,7 @@ pub struct Prompt {
 pub struct Distilled {
     /// The model.
     pub denoiser: Box<dyn Denoiser>,
-    /// What its latents are made by; none where it sees pixels, -1 to 1.
+    /// What its latents are made by; none where it sees pixels, -1 to 1, coloured or grey.
     pub encoder: Option<Box<dyn Encoder>>,
     /// How noise grows.
     pub diffusion: Diffusion,
@@ -73,10 +73,15 @@ pub struct Distilled {
 }
 
 impl Distilled {
+    /// Of a picture's numbers those that a model without an encoder sees. All channels are equal: a grey one is given the first.
+    fn pixels(&self) -> usize {
+        self.denoiser.shape().iter().product()
+    }
+
     /// What the model sees of a picture, `[3, S, S]`.
     async fn seen(&mut self, image: &[f32]) -> Result<Vec<f32>> {
         match &mut self.encoder {
-            None => Ok(image.iter().map(|value| 2.0 * value - 1.0).collect()),
+            None => Ok(image.iter().take(self.pixels()).map(|value| 2.0 * value - 1.0).collect()),
             Some(encoder) => {
                 let [channels, rows, columns] = self.denoiser.shape();
                 Ok(encoder.run(image, &vec![0.0; channels * rows * columns]).done().await?.latent)
@@ -87,7 +92,11 @@ impl Distilled {
     /// The gradient to the picture for the gradient to what the model sees of it.
     async fn pulled(&mut self, image: &[f32], d_seen: &[f32]) -> Result<Vec<f32>> {
         match &mut self.encoder {
-            None => Ok(d_seen.iter().map(|d| 2.0 * d).collect()),
+            None => {
+                let mut d_image = vec![0.0; image.len()];
+                d_image.iter_mut().zip(d_seen).for_each(|(image, seen)| *image = 2.0 * seen);
+                Ok(d_image)
+            }
             Some(encoder) => Ok(encoder.run(image, d_seen).done().await?.gradient),
         }
     }
@@ -158,7 +167,7 @@ mod tests {
 
     impl Denoiser for Gaussian {
         fn shape(&self) -> [usize; 3] {
-            [3, SIDE, SIDE]
+            [self.mean.len() / (SIDE * SIDE), SIDE, SIDE]
         }
 
         fn run<'a>(&'a mut self, x_t: &'a [f32], t: usize, contexts: &'a [f32]) -> Work<'a, Result<Vec<f32>>> {
@@ -242,6 +251,17 @@ mod tests {
         // Without what was asked for it goes where nothing leads: the middle.
         let [front, _] = followed(&mut distilled(0.0, false));
         assert!(front.coverage.iter().all(|ink| (ink - 0.5).abs() < 0.2), "{:?}", front.coverage);
+    }
+
+    #[test]
+    fn a_model_may_see_grey() {
+        let mut grey = distilled(1.0, false);
+        let diffusion = grey.diffusion.clone();
+        let mean = (0..SIDE * SIDE).map(|i| 1.0 - 2.0 * wanted(i)).collect();
+        grey.denoiser = Box::new(Gaussian { mean, spread: 0.05, diffusion });
+        let [front, _] = followed(&mut grey);
+        let off = front.coverage.iter().enumerate().map(|(pixel, ink)| (ink - wanted(pixel)).abs()).sum::<f32>();
+        assert!(off / 64.0 < 0.08, "{}", off / 64.0);
     }
 
     #[test]
