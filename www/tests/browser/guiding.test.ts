@@ -103,3 +103,110 @@ it.each([
   expect(came.kinds).toContain("unguided");
   expect(came.wire.every(Number.isFinite)).toBe(true);
 });
+
+/** A network whose embedding says how dark a picture is, and the gradient of that. */
+const DARKNESS = `
+  const size = 8, all = 3 * size * size;
+  let asked = 0;
+  const network = {
+    size,
+    embed: 2,
+    async run({ images, source, target, weight }) {
+      const n = weight.length;
+      asked = Math.max(asked, n);
+      const [grad, cos, embedding] = [new Float32Array(images.length), new Float32Array(n), new Float32Array(2 * n)];
+      let loss = 0;
+      for (let row = 0; row < n; row++) {
+        // From all white, [1, 0], to all black, [0, 1].
+        const dark = 1 - images.subarray(row * all, (row + 1) * all).reduce((a, b) => a + b, 0) / all;
+        const angle = dark * Math.PI / 2;
+        embedding.set([Math.cos(angle), Math.sin(angle)], 2 * row);
+        const d = [Math.cos(angle) - source[2 * row], Math.sin(angle) - source[2 * row + 1]];
+        const far = Math.sqrt(d[0] ** 2 + d[1] ** 2 + 1e-6);
+        const along = d[0] * target[2 * row] + d[1] * target[2 * row + 1];
+        cos[row] = along / far;
+        loss += weight[row] * (1 - cos[row]);
+        const pull = (i) => -weight[row] * (target[2 * row + i] / far - along * d[i] / far ** 3);
+        const dAngle = -pull(0) * Math.sin(angle) + pull(1) * Math.cos(angle);
+        grad.fill(-dAngle * Math.PI / 2 / all, row * all, (row + 1) * all);
+      }
+      return { loss, grad, cos, embedding };
+    },
+  };
+  const words = Float32Array.of(0, 1), none = Float32Array.of(1, 0);
+  const wire = run.wire();
+  const from = { closed: wire.closed, knots: wire.knots(), controlPoints: wire.control_points() };`;
+
+it("departs from its first wire as words differ from neutral ones, patch by patch", async () => {
+  const alone = await guided("");
+  const pulled = await guided(`${DARKNESS} run.guideByWords("dark", 20, [network], [[words, words]], { look: "patches", neutral: [none], from });`);
+  expect(pulled.troubles).toEqual([]);
+  expect(pulled.ink).toBeGreaterThan(1.1 * alone.ink);
+  const lighter = await guided(`${DARKNESS} run.guideByWords("light", 20, [network], [[none, none]], { look: "patches", neutral: [words], from });`);
+  expect(lighter.ink).toBeLessThan(0.9 * alone.ink);
+  // Eight rows at once, of the sixteen patches.
+  expect(await guided(`${DARKNESS} run.guideByWords("dark", 20, [network], [[words, null]], { look: "patches" }); run.setGuidance("rows", 0, (images) => { if (asked !== 8) throw new Error(asked + " rows"); return { loss: 0, grad: images.map((i) => new Float32Array(i.ink.length)) }; });`)).toMatchObject({ done: true });
+});
+
+it.each([
+  ["neutral vectors that are missing", `{ neutral: [], from }`, "neutral vector for each network"],
+  ["neutral words that are the words", `{ neutral: [words], from }`, "where the neutral words are"],
+  ["no wire to depart from", `{ neutral: [none] }`, "no wire"],
+  ["a wire that is none", `{ neutral: [none], from: { ...from, knots: from.knots.slice(1) } }`, "knots"],
+])("refuses %s", async (_, options, words) => {
+  await expect(guided(`${DARKNESS} run.guideByWords("x", 1, [network], [[words, words]], ${options});`)).rejects.toThrow(words);
+});
+
+/** The best denoiser there is for one picture, ink in the left half, where the context says so. */
+const LEFT = (channels: number) => `
+  const size = 16, each = ${channels} * size * size;
+  const levels = Array.from({ length: 1001 }, (_, t) => Math.cos((t / 1000 + 0.008) / 1.008 * Math.PI / 2) ** 2);
+  const times = [];
+  const denoiser = {
+    shape: [${channels}, size, size],
+    context: 1,
+    async run({ x_t, t, contexts }) {
+      times.push(t);
+      const left = levels[t] / levels[0];
+      const wanted = (i) => (i % size < size / 2 ? -1 : 1);
+      return { eps: x_t.map((x, i) => (x - Math.sqrt(left) * contexts[Math.floor(i / each)] * wanted(i)) / Math.sqrt(1 - left)) };
+    },
+  };
+  const told = { context: Float32Array.of(1), nothing: Float32Array.of(0) };
+  const options = { schedule: { kind: "cosine", steps: 1000, from: 0, to: 0 }, scale: 1 };
+  let sides = [0, 0];
+  run.setGuidance("sides", 0, (images) => {
+    sides = [0, 1].map((side) => images[0].ink.reduce((sum, ink, i) => sum + (i % images[0].width < images[0].width / 2 === (side === 0) ? ink : 0), 0));
+    window.sides = sides;
+    window.times = times;
+    return { loss: 0, grad: images.map((i) => new Float32Array(i.ink.length)) };
+  });`;
+
+it.each([1, 3])("becomes what a diffusion model of %s channels thinks its context is of", async (channels) => {
+  const looked = () => page.evaluate(() => window as unknown as { sides: number[]; times: number[] }).then(({ sides, times }) => ({ share: sides[0]! / (sides[0]! + sides[1]!), times }));
+  await guided(LEFT(channels));
+  const before = await looked();
+  const { troubles } = await guided(`${LEFT(channels)} run.guideByDiffusion("left", 30, denoiser, null, [told, null], options);`);
+  expect(troubles).toEqual([]);
+  const after = await looked();
+  expect(after.share).toBeGreaterThan(before.share + 0.05);
+  expect(after.times).toHaveLength(24);
+  expect(after.times.every((t) => t >= 1 && t <= 1000)).toBe(true);
+});
+
+it("asks an encoder for latents, there and back", async () => {
+  // Latents are pixels, made by somebody else.
+  const encoder = `const encoder = { size, async run({ image, cotangent }) { return { latent: image.map((v) => 2 * v - 1), grad: cotangent.map((d) => 2 * d) }; } };`;
+  const by = (encoded: string) => guided(`${LEFT(3)} ${encoder} run.guideByDiffusion("left", 30, denoiser, ${encoded}, [told, null], options);`);
+  expect((await by("encoder")).wire).toEqual((await by("null")).wire);
+});
+
+it.each([
+  ["a context of another size", `denoiser, null, [{ ...told, context: new Float32Array(2) }, null], options`, "its context has 2 numbers, not 1"],
+  ["latents without an encoder", `{ ...denoiser, shape: [4, 8, 8] }, null, [told, null], options`, "no encoder"],
+  ["shapes that are none", `{ ...denoiser, shape: [1, 1e9, 16] }, null, [told, null], options`, "no number from 1 to 512"],
+  ["another schedule", `denoiser, null, [told, null], { ...options, schedule: { kind: "square", steps: 10 } }`, "none of linear"],
+  ["betas that are none", `denoiser, null, [told, null], { ...options, schedule: { kind: "linear", steps: 10, from: 2, to: 3 } }`, "between 0 and 1"],
+])("refuses of a diffusion model %s", async (_, given, words) => {
+  await expect(guided(`${LEFT(1)} run.guideByDiffusion("x", 1, ${given});`)).rejects.toThrow(words);
+});

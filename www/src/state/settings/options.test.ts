@@ -19,8 +19,8 @@ const table = (more: readonly SettingRow[]): SettingsTable => ({ rows: [...rows,
 const tables: SettingsTables = { multiview: table([]), stroke: table([row("roundness", "stroke")]), fill: table([row("density", "surface")]) };
 
 const TASKS = [
-  { name: "multiview", keeps: { settings: [], groups: [] } },
-  { name: "stroke", keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["stroke"] } },
+  { name: "multiview", keeps: { settings: [], groups: [] }, compared: ["front", "side"] },
+  { name: "stroke", keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["stroke"] }, compared: ["front"] },
 ];
 
 let doc: Doc;
@@ -89,6 +89,16 @@ it("gives what an address asks for to the task it names, once it is known what t
   expect(options.all).toEqual({ control_points: "60" });
   look("multiview");
   expect(options.all).toEqual({});
+});
+
+it("takes from an address what is to guide, of the views that the task has", () => {
+  options.ask("stroke", { "guide.front": "cat", "guide.side": "dog", "guide.weight": "1", "guide.by": "0a1b", control_points: "60" });
+  options.learn(tables);
+  expect(doc.desks["stroke"]).toMatchObject({ settings: { control_points: "60" }, guide: { words: { front: "cat" }, weight: 1, by: "icons" } });
+  options.ask("multiview", { "guide.top": "x", "guide.weight": "NaN" });
+  expect(doc.desks["multiview"]?.guide ?? null).toBeNull();
+  options.ask("multiview", { "guide.side": "x".repeat(99), "guide.weight": "NaN", "guide.by": "denoiser" });
+  expect(doc.desks["multiview"]!.guide).toEqual({ words: { side: "x".repeat(60) }, weight: 0.3, by: "denoiser" });
 });
 
 it("keeps what guides each task, and nothing where nothing was said", () => {

@@ -1,6 +1,7 @@
 /** The settings of the task that is looked at: what they are, and how they change. */
 
 import { ICONS, USUAL_WEIGHT, type Guide, type SettingsTables, type SettingValues } from "../../engine/protocol";
+import { readGuide } from "./guide-pairs";
 import type { Bench, Settings } from "../contract/bench";
 import { tableOf } from "../contract/state";
 import type { Task } from "../contract/task";
@@ -16,7 +17,7 @@ export class Options implements Settings {
 
   constructor(
     private readonly bench: Omit<Bench, "settings">,
-    private readonly tasks: readonly Pick<Task, "name" | "keeps">[],
+    private readonly tasks: readonly Pick<Task, "name" | "keeps" | "compared">[],
   ) {}
 
   get all(): SettingValues {
@@ -71,6 +72,8 @@ export class Options implements Settings {
       const asked = known(this.asked?.task === task ? this.asked.settings : {}, table);
       const { settings } = deskOf(project.doc, task);
       const next = Object.keys(asked).length ? asked : known(settings, table);
+      const guide = this.asked?.task === task && readGuide(this.asked.settings, this.tasks.find(({ name }) => name === task)?.compared ?? []);
+      if (guide) project.replace(withDesk(project.doc, task, { guide }));
       if (JSON.stringify(next) !== JSON.stringify(settings)) project.replace(withDesk(project.doc, task, { settings: next }));
     }
     this.asked = null;
