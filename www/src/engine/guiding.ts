@@ -44,5 +44,6 @@ async function how({ look, neutral = "" }: Guide, { networks, vector, instead }:
   if (!neutral.trim()) return { look };
   const vectorOfNone = await vector(neutral.trim());
   if (!vectorOfNone) throw new GuidanceError("", `“${neutral}”, which the words are to differ from, is no word that guides here. ${instead(neutral)}`);
-  return { look, neutral: networks.map(() => vectorOfNone), from };
+  const wire = { closed: from.closed, knots: Float64Array.from(from.knots), controlPoints: Float32Array.from(from.controlPoints) };
+  return { look, neutral: networks.map(() => vectorOfNone), from: wire };
 }

@@ -104,16 +104,23 @@ it.each([
   expect(came.wire.every(Number.isFinite)).toBe(true);
 });
 
+interface Batch {
+  readonly images: number[];
+  readonly source: number[];
+  readonly target: number[];
+  readonly weight: number[];
+  readonly embedding: number[];
+}
+
 /** A network whose embedding says how dark a picture is, and the gradient of that. */
 const DARKNESS = `
   const size = 8, all = 3 * size * size;
-  let asked = 0;
+  const batches = [];
   const network = {
     size,
     embed: 2,
     async run({ images, source, target, weight }) {
       const n = weight.length;
-      asked = Math.max(asked, n);
       const [grad, cos, embedding] = [new Float32Array(images.length), new Float32Array(n), new Float32Array(2 * n)];
       let loss = 0;
       for (let row = 0; row < n; row++) {
@@ -130,6 +137,7 @@ const DARKNESS = `
         const dAngle = -pull(0) * Math.sin(angle) + pull(1) * Math.cos(angle);
         grad.fill(-dAngle * Math.PI / 2 / all, row * all, (row + 1) * all);
       }
+      batches.push({ images, source, target, weight, embedding });
       return { loss, grad, cos, embedding };
     },
   };
@@ -138,14 +146,28 @@ const DARKNESS = `
   const from = { closed: wire.closed, knots: wire.knots(), controlPoints: wire.control_points() };`;
 
 it("departs from its first wire as words differ from neutral ones, patch by patch", async () => {
-  const alone = await guided("");
-  const pulled = await guided(`${DARKNESS} run.guideByWords("dark", 20, [network], [[words, words]], { look: "patches", neutral: [none], from });`);
-  expect(pulled.troubles).toEqual([]);
-  expect(pulled.ink).toBeGreaterThan(1.1 * alone.ink);
-  const lighter = await guided(`${DARKNESS} run.guideByWords("light", 20, [network], [[none, none]], { look: "patches", neutral: [words], from });`);
-  expect(lighter.ink).toBeLessThan(0.9 * alone.ink);
-  // Eight rows at once, of the sixteen patches.
-  expect(await guided(`${DARKNESS} run.guideByWords("dark", 20, [network], [[words, null]], { look: "patches" }); run.setGuidance("rows", 0, (images) => { if (asked !== 8) throw new Error(asked + " rows"); return { loss: 0, grad: images.map((i) => new Float32Array(i.ink.length)) }; });`)).toMatchObject({ done: true });
+  await guided(`${DARKNESS} window.batches = batches; run.guideByWords("dark", 1, [network], [[words, null]], { look: "patches", neutral: [none], from });`);
+  const [reference, , first, , ...rest] = await page.evaluate(() => {
+    const { batches } = window as unknown as { batches: Record<keyof Batch, Float32Array>[] };
+    return batches.map((batch) => Object.fromEntries(Object.entries(batch).map(([name, all]) => [name, [...all]])) as unknown as Batch);
+  });
+  // Sixteen patches, eight at a time: at first those of the first wire, then those of what is drawn, which is the same.
+  expect(reference!.weight).toEqual(Array(8).fill(0));
+  expect(first!.weight.reduce((a, b) => a + b)).toBeCloseTo(0.5, 5);
+  expect(first!.source).toEqual(reference!.embedding);
+  const off = first!.images.reduce((sum, value, i) => sum + Math.abs(value - reference!.images[i]!), 0) / first!.images.length;
+  expect(off).toBeLessThan(0.05);
+  expect(first!.images.some((value) => value < 0.5)).toBe(true);
+  for (const [i, value] of first!.target.entries()) expect(value).toBeCloseTo((i % 2 ? 1 : -1) * Math.SQRT1_2, 5);
+  // Others each time.
+  expect(rest.some(({ source }) => source.some((value, i) => Math.abs(value - first!.source[i]!) > 0.01))).toBe(true);
+});
+
+it("has each patch be like the words where none are neutral", async () => {
+  const by = (vector: string) => guided(`${DARKNESS} run.guideByWords("words", 200, [network], [[${vector}, ${vector}]], { look: "patches" });`);
+  const [dark, light] = [await by("words"), await by("none")];
+  expect([dark.troubles, light.troubles]).toEqual([[], []]);
+  expect(dark.ink).toBeGreaterThan(1.2 * light.ink);
 });
 
 it.each([
@@ -183,7 +205,11 @@ const LEFT = (channels: number) => `
   });`;
 
 it.each([1, 3])("becomes what a diffusion model of %s channels thinks its context is of", async (channels) => {
-  const looked = () => page.evaluate(() => window as unknown as { sides: number[]; times: number[] }).then(({ sides, times }) => ({ share: sides[0]! / (sides[0]! + sides[1]!), times }));
+  const looked = () =>
+    page.evaluate(() => {
+      const { sides: [left, right], times } = window as unknown as { sides: [number, number]; times: number[] };
+      return { share: left / (left + right), times };
+    });
   await guided(LEFT(channels));
   const before = await looked();
   const { troubles } = await guided(`${LEFT(channels)} run.guideByDiffusion("left", 30, denoiser, null, [told, null], options);`);
