@@ -2,6 +2,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { DENOISER, ICONS } from "../../../engine/protocol";
 import { takenFor } from "../../../guidance/icon-words";
+import { givenFor } from "../../../state/contract/state";
 import { deskOf, type Studio, type StudioState } from "../../../state/studio";
 import { icons } from "../../../ui/shared/icons";
 import { controls } from "../../../ui/shared/shared";
@@ -39,6 +40,7 @@ export class WordPull extends Part {
     const typed = this.typed.trim();
     return html`${typed && typed !== word ? html`<button @click=${() => this.say(typed)}>${icons.type} Let “${typed}” pull the wire</button>` : nothing}
       ${word ? html`<button class="plain" @click=${() => this.say("")}>${icons.clear} No longer let “${word}” pull</button>` : nothing}
+      ${word && this.isDrawn ? html`<button class="plain" @click=${this.alone}>${icons.pencil} Take the drawing away</button>` : nothing}
       <p class="small quiet" role="status">${word ? `“${word}” pulls the ${this.pad} view. ${taken}` : nothing}</p>
       ${typed || word ? html`<p class="small quiet">Experimental, with a drawing or without: ${this.who} An icon makes the cleaner picture.</p>` : nothing}`;
   }
@@ -51,6 +53,10 @@ export class WordPull extends Part {
     return deskOf(this.state.doc, multiview.name).guide?.words[this.pad] ?? "";
   }
 
+  private get isDrawn(): boolean {
+    return givenFor(this.state, multiview)[this.pad] !== null;
+  }
+
   private get by(): string {
     return deskOf(this.state.doc, multiview.name).guide?.by ?? ICONS;
   }
@@ -60,6 +66,8 @@ export class WordPull extends Part {
     if (this.by === DENOISER) return "a small diffusion model of ours says what it looks like, fetched when you press Run.";
     return "the network that is chosen under Settings says what it looks like.";
   }
+
+  private readonly alone = (): void => this.studio.taker(multiview).set(this.pad, null, "Let the word alone pull");
 
   private async say(word: string): Promise<void> {
     this.taken = "";
