@@ -12,11 +12,9 @@ use crate::{json, parse_settings};
 use wasm_bindgen::prelude::*;
 use wire4d::Result;
 use wire4d::optimize::Session;
-use wire4d::sculpture;
 use wire4d::settings::{Settings, Task};
 use wire4d::tasks::{self, fill, multiview, stroke};
 use wire4d::view::{Image, Target};
-use wire4d::wire::Wire;
 
 /// Iterations after which the page is asked whether to go on at all.
 const MOST_AT_ONCE: usize = 64;
@@ -209,10 +207,7 @@ impl Run {
         options: Option<WordsOptions>,
     ) -> Result<(), JsError> {
         let options = options.map_or(JsValue::UNDEFINED, JsValue::from);
-        let (form, seed) = (self.session().wire().form(), self.0.settings().seed);
-        let views = &self.session().problem().targets;
-        let look = |wire: &Wire, view: usize| sculpture::render(wire, &views[view].view);
-        let learned = by_words(networks, vectors, &options, form, seed, look)?;
+        let learned = by_words(networks, vectors, &options, &self.0)?;
         self.0.guide_by(name, weight, Box::new(learned));
         Ok(())
     }

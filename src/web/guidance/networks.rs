@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 use wire4d::Result;
 use wire4d::objective::{Aim, Answer, Batch, Learned, Look, Member, Network};
 use wire4d::optimize::Work;
-use wire4d::view::Image;
+use wire4d::sculpture::render;
+use wire4d::tasks::Run;
 use wire4d::wire::{Form, Wire};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -33,6 +34,8 @@ export interface WordsOptions {
   readonly neutral?: readonly Float32Array[];
   /** The wire that is departed from: the run's first one, also where the run is resumed. */
   readonly from?: { readonly closed: boolean; readonly knots: Float64Array; readonly controlPoints: Float32Array };
+  /** Whether views beside the first, and without words, are to be like what that one should show. */
+  readonly likePicture?: boolean;
 }
 "#;
 
@@ -94,25 +97,21 @@ impl Network for AskedNetwork {
     }
 }
 
-/// Views become like words, as `networks` see both, or depart from a wire as words differ from neutral ones. `look` draws
-/// what a view shows of a wire; `form` is the run's.
+/// Views of `run` become like words, as `networks` see both, or depart from a wire as words differ from neutral ones, or
+/// become like the first one's picture.
 ///
 /// # Errors
-/// [`wire4d::Error::Guidance`] where these are no networks, or vectors of other sizes.
-pub fn by_words(
-    networks: Networks,
-    vectors: Vectors,
-    options: &JsValue,
-    form: Form,
-    seed: u64,
-    look: impl Fn(&Wire, usize) -> Image,
-) -> Result<Learned> {
+/// [`wire4d::Error::Guidance`] where these are no networks, or vectors of other sizes, and where no view could be like the picture.
+pub fn by_words(networks: Networks, vectors: Vectors, options: &JsValue, run: &Run) -> Result<Learned> {
+    let views = &run.session().problem().targets;
     let (networks, vectors) = (list(networks, "networks")?, list(vectors, "vectors")?);
     if networks.length() == 0 || networks.length() != vectors.length() {
         return Err(wrong("there is not one list of vectors for each network"));
     }
     let neutral = member(options, "neutral");
-    let from = (!neutral.is_undefined()).then(|| departed(&member(options, "from"), form)).transpose()?;
+    let from = (!neutral.is_undefined())
+        .then(|| departed(&member(options, "from"), run.session().wire().form()))
+        .transpose()?;
     let mut members = Vec::new();
     for (index, (network, vectors)) in networks.iter().zip(vectors.iter()).enumerate() {
         let vector = |value: JsValue| value.dyn_into::<Float32Array>().ok().map(|vector| vector.to_vec());
@@ -126,16 +125,27 @@ pub fn by_words(
         let aim = |(view, words): (usize, JsValue)| match (vector(words), &from) {
             (None, _) => Ok(None),
             (Some(words), None) => Ok(Some(Aim::Like(words))),
-            (Some(words), Some((wire, neutral))) => Aim::between(neutral, &words, look(wire, view)).map(Some),
+            (Some(words), Some((wire, neutral))) => {
+                let view = views.get(view).ok_or_else(|| wrong("there are more vectors than views"))?;
+                Aim::between(neutral, &words, render(wire, &view.view)).map(Some)
+            }
         };
-        let aims: Result<Vec<_>> = list(vectors, "vectors")?.iter().enumerate().map(aim).collect();
-        members.push(Member::new(Box::new(AskedNetwork::new(network)?), aims?)?);
+        let mut aims = list(vectors, "vectors")?.iter().enumerate().map(aim).collect::<Result<Vec<_>>>()?;
+        if member(options, "likePicture").is_truthy() {
+            if views.len() < 2 {
+                return Err(wrong("there is no turned view that could be like the picture"));
+            }
+            aims.resize(views.len(), None);
+            let sides = aims[1..].iter_mut().filter(|aim| aim.is_none());
+            sides.for_each(|aim| *aim = Some(Aim::LikePicture(run.targets()[0].ink.clone())));
+        }
+        members.push(Member::new(Box::new(AskedNetwork::new(network)?), aims)?);
     }
     let look = match member(options, "look").as_string().as_deref() {
         Some("patches") => Look::Grid { cells: 4 },
         _ => Look::WORDS,
     };
-    Ok(Learned::new(members, look, seed))
+    Ok(Learned::new(members, look, run.settings().seed))
 }
 
 /// The wire that is departed from.

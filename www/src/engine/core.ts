@@ -15,8 +15,8 @@ export interface Diffusing extends Pick<DiffusionOptions, "schedule"> {
   readonly nothing: Float32Array;
 }
 
-/** How much of the difference between words and nothing counts: as in DreamFusion. */
-const SCALE = 100;
+/** How much of the difference between words and nothing counts: of latents as in DreamFusion, of pixels less. */
+const SCALE = { latents: 100, pixels: 7.5 };
 
 export type Bytes = Uint8Array<ArrayBuffer>;
 
@@ -115,7 +115,7 @@ export function pulled(run: wasm.Run, names: readonly string[] = []): CoreRun {
     guideByWords: (weight, networks, vectors, options) => run.guideByWords("words", weight, networks, vectors, options),
     guideByDiffusion(weight, { denoiser, encoder, schedule, nothing }, contexts) {
       const told = contexts.map((context) => context && { context, nothing });
-      run.guideByDiffusion("words", weight, denoiser, encoder, told, { schedule, scale: SCALE });
+      run.guideByDiffusion("words", weight, denoiser, encoder, told, { schedule, scale: encoder ? SCALE.latents : SCALE.pixels });
     },
     troubles: () => run.guidanceTroubles(),
     finish: () => taken(run.finish(), finished),

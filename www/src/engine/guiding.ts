@@ -20,19 +20,19 @@ interface Guided extends Pick<Ears, "tell"> {
 
 /** A GuidanceError where nothing can guide: no network, or none of its words. */
 export async function guideByWords({ run, guide, first, tell, notice, service }: Guided): Promise<void> {
-  const { words, weight, by } = guide;
+  const { words, weight, by, likePicture = false } = guide;
   const views = run.pads();
   const wanted = views.map((view) => words[view]?.trim() ?? "");
-  if (weight <= 0 || !wanted.some(Boolean)) return;
+  if (weight <= 0 || !(likePicture || wanted.some(Boolean))) return;
   const progress = (share: number): void => tell("Fetching what knows words…", share);
   const knowing = await (by === ICONS ? icons(progress) : by === DENOISER ? denoiser(progress) : (await service()).guiding(by, progress));
   const vectors = await Promise.all(wanted.map((word) => (word ? knowing.vector(word) : null)));
   wanted.forEach((word, view) => {
     if (word && !vectors[view]) notice(`“${word}” (${views[view]}) is no word that guides here. ${knowing.instead(word)}`);
   });
-  if (!vectors.some(Boolean)) throw new GuidanceError("", "None of the words could guide the wire.");
+  if (!vectors.some(Boolean) && !likePicture) throw new GuidanceError("", "None of the words could guide the wire.");
   if ("denoiser" in knowing) run.guideByDiffusion(weight, knowing, vectors);
-  else run.guideByWords(weight, knowing.networks, knowing.networks.map(() => vectors), await how(guide, knowing, first ?? run.frame().wire));
+  else run.guideByWords(weight, knowing.networks, knowing.networks.map(() => vectors), { ...(await how(guide, knowing, first ?? run.frame().wire)), likePicture });
 }
 
 const icons = async (progress: (share: number) => void): Promise<Readers> => (await import("../guidance/icons")).icons(progress);

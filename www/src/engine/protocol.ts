@@ -178,6 +178,8 @@ export interface Guide {
   readonly by: string;
   /** Whether a network of one's own looks at whole views, as where nothing is said, or at patches of them. */
   readonly look?: "views" | "patches";
+  /** Whether views beside the first one are to be like its picture, where they have no words. */
+  readonly likePicture?: boolean;
   /** What patches are to differ from as from words to words: words that say nothing; without, they become like the view's own. */
   readonly neutral?: string;
 }

@@ -46,7 +46,7 @@ export class Options implements Settings {
   guideBy(change: Partial<Guide>): void {
     const { doc } = this.bench;
     const guide: Guide = { words: {}, weight: USUAL_WEIGHT, by: ICONS, ...deskOf(doc).guide, ...change };
-    const isSaid = guide.by !== ICONS || guide.weight !== USUAL_WEIGHT || Object.values(guide.words).some(Boolean);
+    const isSaid = guide.by !== ICONS || guide.weight !== USUAL_WEIGHT || guide.likePicture || Object.values(guide.words).some(Boolean);
     this.bench.edit(isSaid ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide: isSaid ? guide : null }), "guide");
   }
 

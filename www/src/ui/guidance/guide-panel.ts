@@ -54,6 +54,11 @@ export class GuidePanel extends Part {
         grid-template-columns: 5em minmax(0, 1fr);
         align-items: center;
       }
+      .turned {
+        grid-template-columns: auto minmax(0, 1fr);
+        align-items: center;
+        gap: 8px;
+      }
       .strength {
         grid-template-columns: minmax(0, 1fr) auto;
         align-items: center;
@@ -81,6 +86,7 @@ export class GuidePanel extends Part {
         ${views.map((view) => this.word(view))}
         <datalist id="meant">${this.meant.map((word) => html`<option value=${word}></option>`)}</datalist>
       </div>
+      ${views.length === 1 ? this.turned() : nothing}
       <label class="strength">
         How strongly <output>${guide?.weight ?? USUAL_WEIGHT}</output>
         <input
@@ -124,6 +130,17 @@ export class GuidePanel extends Part {
         />
       </label>
       ${unknown ? html`<p class="small quiet" id="unknown-${view}">${unknown}</p>` : nothing}`;
+  }
+
+  /** Of one picture: its other sides. A diffusion model compares no pictures. */
+  private turned() {
+    const { likePicture = false, by = ICONS } = this.guide ?? {};
+    const diffuses = by === DENOISER || this.models.some(({ sha256, kind }) => sha256 === by && kind === "eps-v1");
+    return html`<label class="turned">
+        <input type="checkbox" .checked=${likePicture && !diffuses} ?disabled=${this.locked || diffuses} @change=${(event: Event) => this.studio.options.guideBy({ likePicture: (event.target as HTMLInputElement).checked })} />
+        Turned views are to be like the picture
+      </label>
+      <p class="small quiet">${diffuses ? "A diffusion model compares no pictures: choose networks that do." : "As the networks below see both. Without a word, too."}</p>`;
   }
 
   /** The networks there are, and what each is. */
