@@ -9,6 +9,7 @@ mod jitter;
 mod least_squares;
 mod path;
 mod picture;
+mod ring;
 #[cfg(test)]
 mod testing;
 mod tour;
@@ -20,6 +21,7 @@ pub use jitter::jittered;
 pub use least_squares::{fit_error, fitted};
 pub use path::{length, resampled, wire_along, wire_with};
 pub use picture::{Hatching, Layers, LineOptions, Lines, Solid, SolidOptions, Stroke};
+pub use ring::ring_path;
 pub use tour::{greedy_tour, short_tour, tour_length};
 
 /// A polyline in the world to fit a wire to.

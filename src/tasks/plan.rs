@@ -34,7 +34,7 @@ pub trait Plan {
     /// The settings.
     fn settings(&self) -> &Settings;
 
-    /// What the report compares the wire's views with.
+    /// What the report compares the wire's views with; blank for those that are only guided.
     fn targets(&self) -> &[Target];
 
     /// The fit of a wire from an iteration on, or of the first wire. `progress` is told how far that is (0 to 1) and cuts it
@@ -58,6 +58,11 @@ pub trait Plan {
             quarter_turns: 0,
             coverable: 1.0,
         }
+    }
+
+    /// Whether view `view` of the targets has anything to be compared with; else it is there to be guided.
+    fn is_compared(&self, _view: usize) -> bool {
+        true
     }
 
     /// Whether its views show less of a wire than all of it.

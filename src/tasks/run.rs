@@ -147,9 +147,14 @@ impl Run {
         self.session.stop_guiding(name);
     }
 
-    /// What the report compares the wire's views with.
+    /// What the report compares the wire's views with; blank for those that are only guided.
     pub fn targets(&self) -> &[Target] {
         self.plan.targets()
+    }
+
+    /// Whether view `view` of the targets has anything to be compared with; else it is there to be guided.
+    pub fn is_compared(&self, view: usize) -> bool {
+        self.plan.is_compared(view)
     }
 
     /// How view `view` of the targets came to its picture.
@@ -201,7 +206,8 @@ impl Run {
     /// The `result` part of a report: the best wire so far against [`Run::targets`], and what the task adds.
     pub fn result(&self) -> ResultReport {
         let made = self.sculpture();
-        let pictures: Vec<_> = self.targets().iter().map(|target| Some(target.ink.clone())).collect();
+        let compared = |(view, target): (usize, &Target)| self.plan.is_compared(view).then(|| target.ink.clone());
+        let pictures: Vec<_> = self.targets().iter().enumerate().map(compared).collect();
         let mut result =
             ResultReport::measure_with(&made, &pictures, |view, size| self.plan.draw(&made.wire, view, size));
         self.plan.complete(&mut result, &made, &self.session);

@@ -9,3 +9,4 @@ mod resume;
 #[cfg(feature = "files")]
 mod stroke_pictures;
 mod stroke_runs;
+mod undrawn;

@@ -520,7 +520,9 @@ impl Session {
             let step = self.numbers(self.iteration);
             self.engine.evaluate(&self.state.points, &step, &mut terms, &mut Vec::new()).done().await;
             self.engine.fetch(Picture::Coverage).done().await;
-            for (v, target) in self.problem.targets.iter().enumerate() {
+            // A view that is compared with nothing lacks nothing.
+            let compared = |&(v, _): &(usize, _)| self.problem.view_weight(v) > 0.0;
+            for (v, target) in self.problem.targets.iter().enumerate().filter(compared) {
                 let coverage = self.fetched_coverage(v);
                 let mut lack = self.fitted_ink(v);
                 let ink = lack.clone();

@@ -24,7 +24,7 @@ pub use boxfit::{BoxFit, fit_box};
 pub use grid::Grid;
 pub use hull::{Coverable, HullOptions, REPORT_ACROSS, coverable, hull_path, mean_share};
 pub use orientation::Orientation;
-pub use place::place;
+pub use place::{edge_on, others, place};
 pub use routing::{Circuit, CircuitOptions};
 pub use trail::{TrailOptions, path_along};
 pub use tree::{Tree, TreeOptions, grow_tree};

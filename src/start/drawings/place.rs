@@ -3,7 +3,7 @@
 use super::arrange::{Arrangement, Cutouts, Drawing, FILLED, Placement, Sharing};
 use super::orientation::Orientation;
 use crate::error::{Error, Result};
-use crate::view::{Target, View, ViewSpec};
+use crate::view::{Image, Target, View, ViewSpec};
 
 /// Places each drawing in the view it names, `None` taking the next of front, side and top. The object's box is a cube,
 /// and drawings keep their aspect: blank paper fills what they leave.
@@ -50,6 +50,43 @@ pub fn place(drawings: &[Drawing], seen_from: &[Option<ViewSpec>], size_px: usiz
     Ok(Arrangement { placements, half_extents_world, height_world, targets, sharing: Sharing::Height, score: 0.0 })
 }
 
+/// The views of `seen_from` that none of `arrangement` is, as large as those.
+///
+/// # Errors
+/// If one has a name that nobody knows, or two are the same side.
+pub fn others(arrangement: &Arrangement, seen_from: &[ViewSpec], size_px: usize) -> Result<Vec<View>> {
+    let canonical = View::canonical(arrangement.height_world, size_px);
+    let mut others: Vec<View> = Vec::new();
+    for spec in seen_from {
+        let view = spec.resolve(&canonical, arrangement.height_world, size_px)?;
+        if others.iter().any(|other| same_side(other, &view)) {
+            let problem = "is asked for twice";
+            return Err(Error::input(format!("view {:?}", view.name), problem, "name each side once"));
+        }
+        if !arrangement.targets.iter().any(|target| same_side(&target.view, &view)) {
+            others.push(view);
+        }
+    }
+    Ok(others)
+}
+
+/// Thickness of a single drawing's object, as a share of the picture's side.
+const THIN: f64 = 0.04;
+
+/// What a single drawing's object shows from its right, where it is as thin as paper: starts for two drawings and more take that
+/// for the other one.
+pub fn edge_on(target: &Target) -> Target {
+    let right = target.view.camera::<f64>().right;
+    let eye = std::array::from_fn(|axis| target.view.target[axis] + 3.0 * right[axis]);
+    let view = View { name: "edge".into(), eye, ..target.view.clone() };
+    let (width, height) = (target.ink.width, target.ink.height);
+    let mut ink = Image::new(width, height);
+    let half = (0.5 * THIN * width as f64).max(1.0);
+    let is_middle = |x: usize| (x as f64 + 0.5 - 0.5 * width as f64).abs() <= half;
+    ink.data.iter_mut().enumerate().filter(|(i, _)| is_middle(i % width)).for_each(|(_, ink)| *ink = 1.0);
+    Target { view, ink }
+}
+
 /// Whether two views look along the same direction (to a hundredth of a degree or so).
 fn same_side(a: &View, b: &View) -> bool {
     let direction = |view: &View| {
@@ -81,6 +118,20 @@ mod tests {
             let bounds = target.ink.threshold(0.5).bounding_box().unwrap();
             assert!((bounds.width() as f64 / bounds.height() as f64 - 3.0).abs() < 0.2);
         }
+    }
+
+    #[test]
+    fn sides_without_a_drawing_are_added_as_large_as_the_others() {
+        let placed = place(&[drawing("a")], &[None], 64).unwrap();
+        let others = |specs: &[&str]| {
+            let specs: Vec<ViewSpec> = specs.iter().map(|spec| spec.parse().unwrap()).collect();
+            super::others(&placed, &specs, 64)
+        };
+        let found = others(&["side", "0,0", "45,20"]).unwrap();
+        assert_eq!(found.iter().map(|view| view.name.as_str()).collect::<Vec<_>>(), ["side", "45,20"]);
+        assert!(found.iter().all(|view| view.projection == placed.targets[0].view.projection));
+        assert!(others(&["side", "90,0"]).unwrap_err().to_string().contains("twice"));
+        assert!(others(&["back"]).unwrap_err().to_string().contains("back"));
     }
 
     #[test]

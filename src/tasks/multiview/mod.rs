@@ -10,4 +10,4 @@ mod remedies;
 pub(super) mod settings;
 
 pub use given::Drawing;
-pub use plan::{Plan, plan};
+pub use plan::{Plan, plan, plan_with};

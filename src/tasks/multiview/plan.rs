@@ -8,13 +8,13 @@ use crate::picture::Ink;
 use crate::sculpture::{Sculpture, render};
 use crate::settings::{Bend, OnOff, Settings, Start, Task, Turn};
 use crate::start::{
-    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Path, Placement, Sharing,
-    TrailOptions, TreeOptions,
+    self, ArrangeOptions, Arrangement, BendOptions, CircuitOptions, Coverable, HullOptions, Orientation, Path,
+    Placement, Sharing, TrailOptions, TreeOptions,
 };
 use crate::tasks::recipe::{WIDE, recipe};
 use crate::tasks::widths::width_bounds;
 use crate::tasks::{self, Placed};
-use crate::view::{Image, Target};
+use crate::view::{Image, Target, View, ViewSpec};
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 
@@ -26,6 +26,8 @@ pub struct Plan {
     pub arrangement: Arrangement,
     /// What any object could show of each view's drawing.
     pub coverable: Vec<Coverable>,
+    /// What each view should show, blank for those that nobody gave a drawing of.
+    targets: Vec<Target>,
     /// Names of the drawings as given.
     sources: Vec<String>,
     /// How far each view's ink was moved before the fit.
@@ -42,8 +44,19 @@ const LOW_SHARE: f32 = 0.75;
 /// # Errors
 /// [`Error::Picture`] for a drawing without ink, [`Error::Pictures`] when they are too few or share no ink at all.
 pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
+    plan_with(drawings, &[], settings)
+}
+
+/// [`plan`] with views that nobody gave a drawing of, such as words guide ([`Run::guide_by`](crate::tasks::Run::guide_by)): they
+/// are drawn and compared with nothing. Those that a drawing takes anyway are left out. A single drawing is placed as it says;
+/// where there is none at all, the wire starts as a ring, or as the settings' ball.
+///
+/// # Errors
+/// As [`plan`], which needs no drawing where there are such views; [`Error::Input`] for a side that nobody knows or that is named
+/// twice.
+pub fn plan_with(drawings: &[Drawing], others: &[ViewSpec], settings: &Settings) -> Result<Plan> {
     Task::Multiview.check(settings)?;
-    if drawings.len() < 2 {
+    if drawings.len() < 2 && others.is_empty() {
         return Err(Error::Pictures {
             problem: format!(
                 "{} picture given, and a wire needs at least two to look different from each side",
@@ -62,17 +75,24 @@ pub fn plan(drawings: &[Drawing], settings: &Settings) -> Result<Plan> {
     let options = if settings.arrange == OnOff::On { options } else { options.pinned() };
     let named = named(drawings);
     let placed = drawings.iter().any(|drawing| drawing.seen_from.is_some());
-    let mut arrangement = if placed {
+    let mut arrangement = if placed || drawings.len() < 2 {
         let views = drawings.iter().map(|drawing| drawing.seen_from.clone()).collect::<Vec<_>>();
         start::place(&named, &views, settings.size)?
     } else {
         start::arrange(&named, &options)?
     };
     thicken(&mut arrangement.targets, settings);
-    let coverable = start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?;
+    let coverable = match &arrangement.targets[..] {
+        [] => Vec::new(),
+        [Target { ink, .. }] => vec![Coverable { share: 1.0, missing: Image::new(ink.width, ink.height) }],
+        _ => start::coverable(&arrangement.targets, arrangement.half_extents_world, start::REPORT_ACROSS)?,
+    };
+    let blank = |view: View| Target { ink: Image::new(view.width_px, view.height_px), view };
+    let blanks = start::others(&arrangement, others, settings.size)?.into_iter().map(blank);
+    let targets: Vec<Target> = arrangement.targets.iter().cloned().chain(blanks).collect();
     let sources = drawings.iter().map(|drawing| drawing.name.clone()).collect();
-    let moved_before = vec![Displacement::default(); drawings.len()];
-    Ok(Plan { settings: settings.clone(), arrangement, coverable, sources, moved_before, placed })
+    let moved_before = vec![Displacement::default(); targets.len()];
+    Ok(Plan { settings: settings.clone(), arrangement, coverable, targets, sources, moved_before, placed })
 }
 
 /// Makes lines as wide as the settings ask.
@@ -88,13 +108,14 @@ pub(super) fn thicken(targets: &mut [Target], settings: &Settings) {
 impl Plan {
     /// How the drawing of view `view` was laid into it.
     pub fn placed(&self, view: usize) -> Placed {
-        let Placement { source, orientation, .. } = self.arrangement.placements[view];
+        let placement = self.arrangement.placements.get(view);
+        let Orientation { mirrored, quarter_turns } = placement.map(|placed| placed.orientation).unwrap_or_default();
         Placed {
-            view: self.arrangement.targets[view].view.clone(),
-            source: Some(source),
-            mirrored: orientation.mirrored,
-            quarter_turns: orientation.quarter_turns,
-            coverable: self.coverable[view].share,
+            view: self.targets[view].view.clone(),
+            source: placement.map(|placed| placed.source),
+            mirrored,
+            quarter_turns,
+            coverable: self.coverable.get(view).map_or(1.0, |coverable| coverable.share),
         }
     }
 
@@ -160,26 +181,34 @@ impl Plan {
         self.coverable.iter().all(|view| view.share >= ENOUGH_SHARE)
     }
 
-    /// What the views should show once drawings that may bend freely have bent; notes how far that moved their ink.
+    /// What the drawings' views should show once drawings that may bend freely have bent; notes how far that moved their ink.
     fn targets_to_fit(&mut self, progress: &mut dyn FnMut(f32) -> bool) -> Result<Vec<Target>> {
         let targets = &self.arrangement.targets;
         if !self.bends_before() {
             return Ok(targets.clone());
         }
         let bent = start::bend(targets, &BendOptions::default(), progress)?;
-        self.moved_before = bent.moved;
+        self.moved_before.iter_mut().zip(bent.moved).for_each(|(before, moved)| *before = moved);
         Ok(bent.targets)
     }
 
-    /// The fit of `wire` to `targets`.
-    fn problem(&self, wire: Wire, targets: Vec<Target>) -> Problem {
+    /// The fit of `wire` to the drawings' `targets`, and in the other views.
+    fn problem(&self, wire: Wire, mut targets: Vec<Target>) -> Problem {
         let settings = &self.settings;
-        let px = self.world_per_px_256();
+        let width = width_bounds(&targets, self.world_per_px_256(), settings);
+        targets.extend_from_slice(&self.targets[targets.len()..]);
+        let weight = |view| if self.is_drawn(view) { 1.0 } else { 0.0 };
         Problem {
-            width: width_bounds(&targets, px, settings),
+            view_weights: (0..targets.len()).map(weight).collect(),
+            width,
             seed: settings.seed,
             ..Problem::for_drawings(wire, targets, recipe(settings))
         }
+    }
+
+    /// Whether somebody gave a drawing of view `view`.
+    fn is_drawn(&self, view: usize) -> bool {
+        view < self.arrangement.placements.len()
     }
 
     /// World units in one pixel of a 256 px picture.
@@ -210,8 +239,20 @@ impl Plan {
 
     fn first_path(&self, targets: &[Target], progress: &mut dyn FnMut(f32) -> bool) -> Result<Path> {
         let settings = &self.settings;
+        let both;
+        let targets = match targets {
+            [alone] => {
+                both = [alone.clone(), start::edge_on(alone)];
+                &both[..]
+            }
+            _ => targets,
+        };
         let Arrangement { half_extents_world, height_world, .. } = &self.arrangement;
         match settings.start {
+            Start::Circuit | Start::Tree | Start::Hull if targets.is_empty() => {
+                let views: Vec<View> = self.targets.iter().map(|target| target.view.clone()).collect();
+                Ok(start::ring_path(&views, RING * height_world, RING_PX * self.world_per_px_256()))
+            }
             Start::Circuit => {
                 let tree = TreeOptions { across: settings.grid / 2 * 2, ..TreeOptions::for_circuit() };
                 start::circuit_path(targets, *half_extents_world, &tree, &CircuitOptions::default(), progress)
@@ -244,6 +285,10 @@ const JITTER_PX: f64 = 0.7;
 /// The paper's largest number of points.
 const BALL_POINTS: usize = 220;
 
+/// Radius of the ring that a wire without a drawing starts as, shares of a view's height, and its width, px of a 256 px picture.
+const RING: f64 = 0.3;
+const RING_PX: f64 = 5.0;
+
 /// Drawings of which this share can be shown agree as they are: bending them before the fit would only move their ink.
 const ENOUGH_SHARE: f32 = 0.98;
 /// Share of the start's progress that bending the drawings takes.
@@ -259,7 +304,7 @@ impl tasks::Plan for Plan {
     }
 
     fn targets(&self) -> &[Target] {
-        &self.arrangement.targets
+        &self.targets
     }
 
     fn begin(&mut self, from: Option<(Wire, usize)>, progress: &mut dyn FnMut(f32) -> bool) -> Result<Problem> {
@@ -283,6 +328,10 @@ impl tasks::Plan for Plan {
 
     fn placed(&self, view: usize) -> Placed {
         self.placed(view)
+    }
+
+    fn is_compared(&self, view: usize) -> bool {
+        self.is_drawn(view)
     }
 
     fn bent(&self, session: &Session) -> Option<Vec<(Image, Displacement)>> {

@@ -106,7 +106,7 @@ impl Member {
             let rows = patches.chunks(MOST_ROWS).zip(sources.chunks(MOST_ROWS * embed));
             for ((patches, source), target) in rows.zip(targets.chunks(MOST_ROWS * embed)) {
                 let images = images(patches, &ink, view.width, size);
-                let weight = vec![scale * view.weight / looks[index].len() as f32; patches.len()];
+                let weight = vec![scale * view.guided_weight() / looks[index].len() as f32; patches.len()];
                 let answer =
                     self.network.run(Batch { images: &images, source, target, weight: &weight }).done().await?;
                 loss += answer.loss;
@@ -180,7 +180,8 @@ impl Guidance for Learned {
             let mut loss = 0.0;
             let members = self.members.len() as f32;
             for member in &mut self.members {
-                let weights: f32 = (0..views.len()).filter(|&i| member.aim(i).is_some()).map(|i| views[i].weight).sum();
+                let weights = views.iter().enumerate().filter(|&(i, _)| member.aim(i).is_some());
+                let weights: f32 = weights.map(|(_, view)| view.guided_weight()).sum();
                 if weights > 0.0 {
                     loss += member.guide(views, &looks, 1.0 / (weights * members)).await?;
                 }

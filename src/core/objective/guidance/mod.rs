@@ -54,7 +54,7 @@ mod patches;
 pub use distillation::{Annealing, Denoiser, Diffusion, Distilled, Encoder, Latent, Prompt, relative_pose};
 pub use guides::Guides;
 pub use learned::{Aim, Learned, Member, PICTURE_WEIGHT, WORDS_WEIGHT};
-pub use network::{Answer, Batch, Network, similarity};
+pub use network::{Answer, Batch, Network, embedding, similarity};
 pub use patches::{Look, Patch};
 
 use crate::Result;
@@ -70,7 +70,7 @@ pub struct Rendered {
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// The view's weight in the loss, from 0.
+    /// The view's weight in the loss of pictures, from 0.
     pub weight: f32,
     /// The wire's ink, 0 to 1.
     pub coverage: Vec<f32>,
@@ -96,6 +96,11 @@ impl Rendered {
             gradient: Vec::new(),
             d_coverage: vec![0.0; pixels],
         }
+    }
+
+    /// The view's weight in what guides: its own, or 1 where that is 0. Such a view is compared with nothing, and guided alone.
+    pub fn guided_weight(&self) -> f32 {
+        if self.weight > 0.0 { self.weight } else { 1.0 }
     }
 
     /// Pixels count as `mask` says, or all of them.

@@ -53,9 +53,23 @@ pub struct Answer {
 /// # Errors
 /// As [`Network::run`].
 pub async fn similarity(network: &mut dyn Network, ink: &Image, target: &[f32]) -> Result<f32> {
+    Ok(looked_at(network, ink, target).await?.cos[0])
+}
+
+/// What `network` sees in all of `ink`: a unit vector.
+///
+/// # Errors
+/// As [`Network::run`].
+pub async fn embedding(network: &mut dyn Network, ink: &Image) -> Result<Vec<f32>> {
+    // Any unit vector: nothing comes back of it.
+    let target: Vec<f32> = (0..network.embed()).map(|i| f32::from(i == 0)).collect();
+    Ok(looked_at(network, ink, &target).await?.embedding)
+}
+
+async fn looked_at(network: &mut dyn Network, ink: &Image, target: &[f32]) -> Result<Answer> {
     let size = network.size();
     let mut image = vec![0.0; 3 * size * size];
     Patch::whole(ink.width, ink.height).draw(&ink.data, ink.width, size, &mut image);
     let source = vec![0.0; target.len()];
-    Ok(network.run(Batch { images: &image, source: &source, target, weight: &[0.0] }).done().await?.cos[0])
+    network.run(Batch { images: &image, source: &source, target, weight: &[0.0] }).done().await
 }
