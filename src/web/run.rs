@@ -41,7 +41,7 @@ impl Ears<'_> {
 
     fn drawings(&self, drawings: &DrawingSet, settings: &Settings) -> Result<multiview::Plan> {
         self.tell("Finding where the drawings agree…", 0.0);
-        let plan = multiview::plan(drawings.drawings(), settings)?;
+        let plan = multiview::plan_with(drawings.drawings(), drawings.guided(), settings)?;
         plan.notes().iter().for_each(|words| self.note(words));
         Ok(plan)
     }
@@ -77,8 +77,13 @@ impl Run {
     ) -> Result<Run, JsError> {
         let (ears, settings) = (Ears { tell, note }, parse_settings(Task::Multiview, settings)?);
         let plan = ears.drawings(drawings, &settings)?;
-        let share = 100.0 * plan.mean_coverable();
-        let words = format!("Finding a way for the wire… {share:.0}% of the ink can be shown");
+        let words = match drawings.drawings() {
+            [] => "Laying a first ring…".to_owned(),
+            _ => {
+                let share = 100.0 * plan.mean_coverable();
+                format!("Finding a way for the wire… {share:.0}% of the ink can be shown")
+            }
+        };
         ears.tell(&words, 0.0);
         let run = tasks::Run::start_async(plan, &mut |share| {
             ears.tell(&words, share);
@@ -258,13 +263,17 @@ impl Run {
         self.session().total()
     }
 
-    /// Mean over the views of how far each is from its target, as last seen; not a number before the first iteration.
+    /// Mean over the views of how far each is from its target, as last seen; not a number before the first iteration. Of views
+    /// that nothing is drawn of, the whole loss.
     #[wasm_bindgen(getter)]
     pub fn loss(&self) -> f32 {
-        let views = self.session().problem().targets.len();
+        // What a task adds while it runs is compared, too.
+        let is_compared = |&view: &usize| view >= self.target_count() || self.0.is_compared(view);
+        let views: Vec<usize> = (0..self.session().problem().targets.len()).filter(is_compared).collect();
         let last = self.session().history().rows().next_back();
         // Columns: total, each view's, the wire's own.
-        last.map_or(f32::NAN, |row| row[1..=views].iter().sum::<f32>() / views as f32)
+        let mean = |row: &[f32]| views.iter().map(|view| row[1 + view]).sum::<f32>() / views.len() as f32;
+        last.map_or(f32::NAN, |row| if views.is_empty() { row[0] } else { mean(row) })
     }
 
     /// The wire as it is now.

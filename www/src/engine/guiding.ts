@@ -30,7 +30,8 @@ export async function guideByWords({ run, guide, first, tell, notice, service }:
   wanted.forEach((word, view) => {
     if (word && !vectors[view]) notice(`“${word}” (${views[view]}) is no word that guides here. ${knowing.instead(word)}`);
   });
-  if (!vectors.some(Boolean) && !likePicture) throw new GuidanceError("", "None of the words could guide the wire.");
+  // A diffusion model compares no pictures.
+  if (!vectors.some(Boolean) && (!likePicture || "denoiser" in knowing)) throw new GuidanceError("", "None of the words could guide the wire.");
   if ("denoiser" in knowing) run.guideByDiffusion(weight, knowing, vectors);
   else run.guideByWords(weight, knowing.networks, knowing.networks.map(() => vectors), { ...(await how(guide, knowing, first ?? run.frame().wire)), likePicture });
 }

@@ -30,13 +30,14 @@ const handlers: Handlers = {
 
 const notice = (words: string): void => tell({ news: "notice", words });
 
-/** Whatever is wrong with what was to guide it: the run goes on without. */
+/** Whatever is wrong with what was to guide it: the run goes on without, if anything is drawn at all. */
 async function guideBy(run: CoreRun, guide: Guide, first: WireShape | null, told: Ears["tell"]): Promise<void> {
   try {
     const { guideByWords } = await import("./guiding");
     await guideByWords({ run, guide, first, tell: told, notice, service: guidance });
   } catch (error) {
     console.error(error);
+    if (run.targets().every(({ source }) => source === null)) throw error;
     notice(`${error instanceof Error ? error.message : "What was to guide it could not be loaded."} The wire goes on without it.`);
   }
 }

@@ -165,3 +165,101 @@ it("goes on without a word that nobody knows, and without networks that do not c
   await run();
   await withoutWords().waitFor();
 });
+
+/** Lets a word pull a view where an icon could be chosen by it. */
+async function pull(slot: string, word: string): Promise<void> {
+  await page.getByRole("button", { name: `Take an icon, ${slot}` }).click();
+  await page.getByPlaceholder(/^Search/).fill(word);
+  await page.getByRole("button", { name: `Let “${word}” pull the wire` }).click();
+  await page.getByText(`“${word}” pulls the ${slot} view.`).waitFor();
+}
+
+const done = () => page.getByRole("button", { name: "Done" }).click();
+const fast = async (): Promise<void> => {
+  await choose(page, "preset", "fast");
+  await choose(page, "iterations", "40");
+};
+
+it("makes a wire of words alone, and says so", async () => {
+  await page.getByRole("button", { name: "Draw your own" }).click();
+  await done();
+  await page.getByText("A wire needs at least two drawings.").waitFor();
+  await pull("front", "umbrella");
+  await done();
+  await page.getByText("One more drawing, and a wire can be made.").waitFor();
+  await pull("top", "cat");
+  await inspect(page, "word-pulls");
+  await done();
+  await page.getByText("Words alone will pull the wire.").waitFor();
+  expect(await page.getByLabel("Front drawing", { exact: true }).textContent()).toContain("“umbrella” pulls here");
+  await inspect(page, "words-alone");
+  await fast();
+  await runButton(page).click();
+  await idle(page);
+  expect(visited.faults).toEqual([]);
+  expect(await withoutWords().count()).toBe(0);
+  expect(await page.locator(".verdict").textContent()).toBe("Words alone pulled it, so there is no drawing to compare with. Another seed or word makes another wire.");
+  expect(await page.locator("match-panels .match").allTextContents()).toEqual(["–", "–"]);
+  expect(await page.locator("match-panels .name").allTextContents()).toEqual(["front", "top"]);
+  await inspect(page, "made-of-words");
+  // They go with a link, and with undo.
+  const address = page.url();
+  expect(address).toContain("guide.front=umbrella&guide.top=cat");
+  // The wire, two settings, and the last word.
+  for (let step = 0; step < 4; step++) await page.getByRole("button", { name: /^Undo/ }).first().click();
+  await expect.poll(() => page.url()).not.toContain("guide.top");
+  const other = await visit(browser, address);
+  await other.page.getByText("Words alone will pull the wire.").waitFor();
+  await other.page.context().close();
+});
+
+it("makes nothing of words that nobody knows", async () => {
+  await page.getByRole("button", { name: "Draw your own" }).click();
+  await done();
+  for (const slot of ["front", "side"]) {
+    await page.getByRole("button", { name: `Take an icon, ${slot}` }).click();
+    await page.getByPlaceholder(/^Search/).fill("qqqqq");
+    await page.getByRole("button", { name: "Let “qqqqq” pull the wire" }).click();
+    await page.getByText("“qqqqq” is no word that these networks know.").waitFor();
+    await done();
+  }
+  await fast();
+  await runButton(page).click();
+  await page.getByText("None of the words could guide the wire.").waitFor();
+  await idle(page);
+});
+
+it("draws one view and lets a word pull another, pauses and goes on", async () => {
+  await page.getByRole("button", { name: "Draw your own" }).click();
+  await done();
+  await give(page, 0, join(DRAWINGS, "p02-garden", "front.png"));
+  await pull("side", "flower");
+  await done();
+  await page.getByText("A word will pull where nothing is drawn.").waitFor();
+  await fast();
+  await choose(page, "iterations", "400");
+  await runButton(page).click();
+  await phase(page, "running");
+  await page.getByRole("button", { name: "Pause" }).click();
+  await phase(page, "paused");
+  await page.getByRole("button", { name: "Go on", exact: true }).click();
+  await phase(page, "running");
+  await page.getByRole("button", { name: "Stop" }).click();
+  await idle(page);
+  expect(await withoutWords().count()).toBe(0);
+  expect(await page.locator("match-panels .match").allTextContents()).toEqual([expect.stringMatching(/^\d+%$/), "–"]);
+  expect(visited.faults).toEqual([]);
+});
+
+it("lets turned views be like the picture", async () => {
+  await page.getByRole("tab", { name: "One picture" }).click();
+  await page.locator("guide-fold summary").click();
+  await page.getByLabel("Turned views are to be like the picture").check();
+  await inspect(page, "like-picture");
+  await fast();
+  await runButton(page).click();
+  await idle(page);
+  expect(await withoutWords().count()).toBe(0);
+  expect(fetched().filter((file) => /iconnet-.*onnx/.test(file)).length).toBeGreaterThan(0);
+  expect(visited.faults).toEqual([]);
+});

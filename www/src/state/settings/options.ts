@@ -66,14 +66,19 @@ export class Options implements Settings {
     if (tables) this.learn(tables);
   }
 
+  /** What an address says is to guide; it waits for nothing. */
+  askGuide(task: string, pairs: SettingValues): void {
+    const { project } = this.bench;
+    const guide = readGuide(pairs, this.tasks.find(({ name }) => name === task)?.compared ?? []);
+    if (guide) project.replace(withDesk(project.doc, task, { guide }));
+  }
+
   learn(tables: SettingsTables): void {
     const { store, project } = this.bench;
     for (const [task, table] of Object.entries(tables)) {
       const asked = known(this.asked?.task === task ? this.asked.settings : {}, table);
       const { settings } = deskOf(project.doc, task);
       const next = Object.keys(asked).length ? asked : known(settings, table);
-      const guide = this.asked?.task === task && readGuide(this.asked.settings, this.tasks.find(({ name }) => name === task)?.compared ?? []);
-      if (guide) project.replace(withDesk(project.doc, task, { guide }));
       if (JSON.stringify(next) !== JSON.stringify(settings)) project.replace(withDesk(project.doc, task, { settings: next }));
     }
     this.asked = null;
