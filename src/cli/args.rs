@@ -1,6 +1,6 @@
 //! Verbs and flags. The flags of a run are made from the settings table.
 
-use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, value_parser};
 use std::path::PathBuf;
 use wire4d::model::Up;
 use wire4d::settings::{Kind, Preset, Settings, Task};
@@ -64,6 +64,13 @@ pub fn command() -> Command {
                         .action(ArgAction::Append)
                         .allow_hyphen_values(true)
                         .help("The same object from another side, a direction in degrees; its outline shapes the solid"),
+                )
+                .arg(
+                    Arg::new("like-picture")
+                        .long("like-picture")
+                        .action(ArgAction::SetTrue)
+                        .requires("guide")
+                        .help("The sides are to be like the picture, as --guide sees both; best with other sides often, such as --new-sides 2"),
                 )
                 .arg(out_folder())
                 .arg(overwrite()),
@@ -243,7 +250,7 @@ fn with_settings(command: Command, task: Task) -> Command {
                 .help(format!("{}{unit} [default: {default}]", row.help)),
         )
     });
-    with_guidance(command)
+    with_guidance(command, task)
         .arg(
             Arg::new("set")
                 .long("set")
@@ -255,10 +262,17 @@ fn with_settings(command: Command, task: Task) -> Command {
 }
 
 /// What says that networks guide a run. `guiding` reads it.
-fn with_guidance(command: Command) -> Command {
+fn with_guidance(command: Command, task: Task) -> Command {
     let repeated =
         |name: &'static str, help: &'static str| Arg::new(name).long(name).action(ArgAction::Append).help(help);
+    let number = |name: &'static str, help: &'static str| {
+        let arg = Arg::new(name).long(name).value_name("N").value_parser(value_parser!(f32));
+        arg.allow_negative_numbers(true).help(help)
+    };
+    let aims: &[&str] = if task == Task::Stroke { &["words", "like-picture"] } else { &["words"] };
     command
+        .group(ArgGroup::new("network").args(["guide", "denoise"]).multiple(true))
+        .group(ArgGroup::new("aim").args(aims).multiple(true))
         .arg(
             repeated(
                 "guide",
@@ -266,24 +280,19 @@ fn with_guidance(command: Command) -> Command {
             )
             .value_name("FILE.onnx")
             .value_parser(value_parser!(PathBuf))
-            .requires("words"),
+            .requires("aim"),
         )
         .arg(
             repeated(
                 "words",
-                "What the views are to show, as --guide sees it; VIEW=WORDS for one view alone; again for more",
+                "What the views are to show, as --guide or --denoise sees it; VIEW=WORDS for one view alone; again for more",
             )
             .value_name("WORDS")
-            .requires("guide"),
+            .requires("network"),
         )
         .arg(
-            Arg::new("guide-weight")
-                .long("guide-weight")
-                .value_name("N")
-                .value_parser(value_parser!(f32))
-                .allow_negative_numbers(true)
-                .default_value("0.3")
-                .help("Weight of what --guide says, where the comparison of pictures weighs 1; from 2 on words win over pictures"),
+            number("guide-weight", "Weight of what --guide says, where the comparison of pictures weighs 1; from 2 on words win over pictures")
+                .default_value("0.3"),
         )
         .arg(
             Arg::new("guide-look")
@@ -296,16 +305,50 @@ fn with_guidance(command: Command) -> Command {
         .arg(
             file(
                 "word-table",
-                "More words for --guide, a .json with a .bin beside it [default: words.json beside the network]",
+                "More words for --guide and --denoise, a .json with a .bin beside it [default: words.json beside the network]",
             )
             .long("word-table")
-            .requires("guide"),
+            .requires("network"),
         )
         .arg(
             file("text", "A text encoder for --words, a file of tools/guidance")
                 .long("text")
                 .value_name("FILE.onnx")
-                .requires("guide"),
+                .requires("network"),
+        )
+        .arg(
+            file("denoise", "A diffusion model that pulls views towards words (score distillation): a file of tools/guidance")
+                .long("denoise")
+                .value_name("FILE.onnx")
+                .requires("words"),
+        )
+        .arg(
+            file("encode", "What makes latents of pictures for --denoise, likewise; none for a model of pixels")
+                .long("encode")
+                .value_name("FILE.onnx")
+                .requires("denoise"),
+        )
+        .arg(
+            file("contexts", "What --denoise takes for words, where that is no single vector: a contexts-v1 file")
+                .long("contexts")
+                .value_name("FILE.json")
+                .requires("denoise"),
+        )
+        .arg(number(
+            "denoise-scale",
+            "How much of the difference between the words and none counts [default: 100 with --encode, else 7.5]",
+        ))
+        .arg(
+            number("denoise-weight", "Weight of what --denoise says, where the comparison of pictures weighs 1")
+                .default_value("1"),
+        )
+        .arg(
+            Arg::new("denoise-times")
+                .long("denoise-times")
+                .value_name("HOW")
+                .value_parser(["falling", "dreamtime"])
+                .default_value("falling")
+                .help("How noisy a view is made as the fit goes on: at random below a falling limit, or one falling time"),
         )
 }
 

@@ -1,6 +1,6 @@
 //! `wire4d fill`: a mesh in, a folder with the wire that covers it, its views and the report out.
 
-use crate::guiding::Guiding;
+use crate::guiding::{Guided, Guides};
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -17,7 +17,7 @@ use wire4d::{Error, Result};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Fill)?;
-    let guiding = Guiding::new(matches)?;
+    let guides = Guides::new(matches)?;
     let (given, reading) = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -31,8 +31,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let Some(plan) = plan else { return Err(Error::output(out.display().to_string(), "stopped", "run it again")) };
     plan.notes().iter().for_each(|note| making.say(note));
     let mut run = Run::start(plan, &mut |_| true)?;
-    let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
+    let (time, Guided { guidance, distillation }) = making.fit(&mut run, &guides)?;
+    let report = Report { reading, guidance, distillation, ..run.report(time, !run.session().is_done()) };
 
     let made = run.sculpture();
     save(&folder, &made, &report, &run.loss_csv())?;

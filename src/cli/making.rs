@@ -1,13 +1,13 @@
 //! What all verbs that make something share: Ctrl-C, the progress bar, the clock, and the folder's common files.
 
 use crate::folder::Folder;
-use crate::guiding::Guiding;
+use crate::guiding::{Guided, Guides};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wire4d::export::{ExportOptions, Format, export};
-use wire4d::metrics::{GuidanceReport, ReadingReport, Report, TimeReport};
+use wire4d::metrics::{ReadingReport, Report, TimeReport};
 use wire4d::picture::{GreyDepth, encode_png};
 use wire4d::sculpture::Sculpture;
 use wire4d::tasks::Run;
@@ -62,9 +62,9 @@ impl Making {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// Fits to the end, or until somebody stops it, and says where the time went and what came of `guiding`.
-    pub fn fit(&self, run: &mut Run, guiding: Option<&Guiding>) -> Result<(TimeReport, Option<GuidanceReport>)> {
-        guiding.map(|guiding| guiding.guide(run)).transpose()?;
+    /// Fits to the end, or until somebody stops it, and says where the time went and what came of what guides.
+    pub fn fit(&self, run: &mut Run, guides: &Guides) -> Result<(TimeReport, Guided)> {
+        guides.guide(run)?;
         let start_s = self.begin.elapsed().as_secs_f64();
         self.bar.set_length(run.session().total() as u64);
         self.bar.set_message("Fitting");
@@ -80,7 +80,7 @@ impl Making {
         let (optimize_s, iterations) = (total_s - start_s, run.session().iteration());
         let ms_per_iteration = 1000.0 * optimize_s / iterations.max(1) as f64;
         let time = TimeReport { total_s, start_s, optimize_s, iterations, ms_per_iteration };
-        Ok((time, guiding.map(|guiding| guiding.report(run, self)).transpose()?))
+        Ok((time, guides.report(run, self)?))
     }
 }
 

@@ -1,6 +1,6 @@
 //! `wire4d multiview`: pictures in, a folder with the wire, its views and the report out.
 
-use crate::guiding::Guiding;
+use crate::guiding::{Guided, Guides};
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -16,7 +16,7 @@ use wire4d::{Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Multiview)?;
-    let guiding = Guiding::new(matches)?;
+    let guides = Guides::new(matches)?;
     let (drawings, reading): (Vec<_>, Vec<_>) = drawings(matches, &settings)?.into_iter().unzip();
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -24,21 +24,24 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let bar = &making.bar;
     bar.set_message("Arranging the drawings");
     making.say_how_read(&reading);
-    let plan = multiview::plan(&drawings, &settings)?;
+    let plan = multiview::plan_with(&drawings, &guides.views(!drawings.is_empty())?, &settings)?;
     for note in plan.notes() {
         making.say(&note);
     }
     if plan.coverable.iter().any(|view| view.share < 1.0) {
         bar.println("NAME-missing.png will show the lines that no object can show");
     }
-    bar.set_message(format!("Finding a first wire ({:.0}% of the ink can be shown)", 100.0 * plan.mean_coverable()));
+    bar.set_message(match drawings.len() {
+        0 => "Laying a first wire".into(),
+        _ => format!("Finding a first wire ({:.0}% of the ink can be shown)", 100.0 * plan.mean_coverable()),
+    });
     let coverable = plan.coverable.clone();
     let mut run = Run::start(plan, &mut |share| {
         bar.set_position((share * 100.0) as u64);
         !making.is_stopped()
     })?;
-    let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let report = Report { reading, guidance, ..run.report(time, !run.session().is_done()) };
+    let (time, Guided { guidance, distillation }) = making.fit(&mut run, &guides)?;
+    let report = Report { reading, guidance, distillation, ..run.report(time, !run.session().is_done()) };
     save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
     save_pictures(&folder, &run, &coverable)?;
     bar.finish_and_clear();
@@ -54,9 +57,10 @@ fn save_pictures(folder: &Folder, run: &Run, coverable: &[Coverable]) -> Result<
         let name = &target.view.name;
         let save = |suffix: &str, picture: &Image, depth| save_picture(folder, name, suffix, picture, depth);
         save("", &sculpture::render(&made.wire, &target.view), GreyDepth::Bits16)?;
+        let Some(coverable) = coverable.get(index) else { continue };
         save("-target", &target.ink, GreyDepth::Bits8)?;
-        if coverable[index].share < 1.0 {
-            save("-missing", &coverable[index].missing, GreyDepth::Bits8)?;
+        if coverable.share < 1.0 {
+            save("-missing", &coverable.missing, GreyDepth::Bits8)?;
         }
         if let Some(bent) = &bent {
             save("-bent", &bent[index].0, GreyDepth::Bits8)?;

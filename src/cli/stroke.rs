@@ -1,6 +1,6 @@
 //! `wire4d stroke`: one picture in, a folder with the wire, its views and the report out.
 
-use crate::guiding::Guiding;
+use crate::guiding::{Guided, Guides};
 use crate::making::{Making, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
@@ -16,7 +16,7 @@ use wire4d::{Error, Result, sculpture};
 
 pub fn run(matches: &ArgMatches) -> Result<()> {
     let settings = args::settings(matches, Task::Stroke)?;
-    let guiding = Guiding::new(matches)?;
+    let guides = Guides::new(matches)?;
     let given = given(matches)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
@@ -34,8 +34,8 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     making.bar.set_message("Laying a first wire");
     let mask = plan.object.mask.clone();
     let mut run = Run::start(plan, &mut |_| true)?;
-    let (time, guidance) = making.fit(&mut run, guiding.as_ref())?;
-    let report = Report { guidance, ..run.report(time, !run.session().is_done()) };
+    let (time, Guided { guidance, distillation }) = making.fit(&mut run, &guides)?;
+    let report = Report { guidance, distillation, ..run.report(time, !run.session().is_done()) };
 
     let made = run.sculpture();
     save(&folder, &made, &report, &run.loss_csv())?;

@@ -3,8 +3,10 @@
 //! - It reads no float16: such weights are widened. Every float16 is a float32.
 //! - It gives no mean and deviation of a LayerNormalization, which a gradient needs: they are worked out beside it, by the
 //!   formulas of ONNX's operator.
+//! - It pads by no negative numbers, which take rows and columns away: those are sliced away.
 
 use crate::protobuf::{Damaged, Field, Message, Value, fields};
+use std::collections::HashMap;
 
 /// Numbers of fields, from `onnx.proto`.
 mod number {
@@ -21,11 +23,13 @@ mod number {
     pub const ATTRIBUTE_INTEGERS: u64 = 8;
     pub const ATTRIBUTE_TYPE: u64 = 20;
     pub const TENSOR_TYPE: u64 = 2;
+    pub const TENSOR_NAME: u64 = 8;
     pub const TENSOR_BYTES: u64 = 9;
 }
 
 /// `TensorProto.DataType`.
 const FLOAT: i64 = 1;
+const INT64: i64 = 7;
 const FLOAT16: i64 = 10;
 
 /// The model `file` holds, so that `rten` runs it.
@@ -43,15 +47,35 @@ pub fn adapt(file: &[u8]) -> Result<Vec<u8>, Damaged> {
 
 fn graph(graph: &[u8]) -> Result<Vec<u8>, Damaged> {
     let mut changed = Message(Vec::with_capacity(graph.len()));
+    let pads = small_integers(graph)?;
     for field in fields(graph) {
         let field = field?;
         match field.number {
-            number::GRAPH_NODE => node(&field, &mut changed)?,
+            number::GRAPH_NODE => node(&field, &pads, &mut changed)?,
             number::GRAPH_INITIALIZER => weights(&field, &mut changed)?,
             _ => changed.0.extend_from_slice(field.whole),
         }
     }
     Ok(changed.0)
+}
+
+/// Integers of a graph's small tensors, by name: as many as a picture's pads are.
+fn small_integers(graph: &[u8]) -> Result<HashMap<&str, Vec<i64>>, Damaged> {
+    let mut found = HashMap::new();
+    for field in fields(graph) {
+        let tensor = field?;
+        if tensor.number != number::GRAPH_INITIALIZER || tensor.bytes().len() > 256 {
+            continue;
+        }
+        let parts = fields(tensor.bytes()).collect::<Result<Vec<_>, _>>()?;
+        let part = |number| parts.iter().find(|part| part.number == number);
+        let is_integer = part(number::TENSOR_TYPE).is_some_and(|kind| kind.integer() == INT64);
+        if let (Some(name), Some(bytes), true) = (part(number::TENSOR_NAME), part(number::TENSOR_BYTES), is_integer) {
+            let integers = bytes.bytes().as_chunks::<8>().0.iter().map(|&eight| i64::from_le_bytes(eight));
+            found.insert(name.text(), integers.collect());
+        }
+    }
+    Ok(found)
 }
 
 /// Adds a tensor of weights, widened if it is of float16.
@@ -89,20 +113,53 @@ fn widened(bits: u16) -> f32 {
     if bits >> 15 == 1 { -size } else { size }
 }
 
-/// Adds a node; after a LayerNormalization those that work out its mean and one over its deviation, if they are asked for.
-fn node(node: &Field, graph: &mut Message) -> Result<(), Damaged> {
+/// Adds a node, or what says the same: see above.
+fn node(node: &Field, pads: &HashMap<&str, Vec<i64>>, graph: &mut Message) -> Result<(), Damaged> {
     let parts = fields(node.bytes()).collect::<Result<Vec<_>, _>>()?;
     let texts = |number| parts.iter().filter(move |part| part.number == number).map(|part| part.text());
+    let inputs: Vec<&str> = texts(number::NODE_INPUT).collect();
     let outputs: Vec<&str> = texts(number::NODE_OUTPUT).collect();
-    let is_normalization = texts(number::NODE_OPERATOR).any(|name| name == "LayerNormalization");
-    let (Some(input), true) = (texts(number::NODE_INPUT).next(), is_normalization && outputs.len() > 1) else {
-        graph.0.extend_from_slice(node.whole);
-        return Ok(());
-    };
+    match (texts(number::NODE_OPERATOR).next(), &inputs[..], &outputs[..]) {
+        (Some("LayerNormalization"), [input, ..], [_, _, ..]) => normalization(node, &parts, input, &outputs, graph),
+        (Some("Pad"), [input, given, ..], [output]) if inputs.len() <= 3 => {
+            let crop = pads.get(given).filter(|pads| pads.iter().all(|&pad| pad <= 0));
+            match crop {
+                Some(crop) => sliced(input, crop, output, graph),
+                None => graph.0.extend_from_slice(node.whole),
+            }
+            Ok(())
+        }
+        _ => {
+            graph.0.extend_from_slice(node.whole);
+            Ok(())
+        }
+    }
+}
+
+/// Adds a node that takes away what pads of 0 and below would: first those before each axis, then those behind.
+fn sliced(input: &str, crop: &[i64], output: &str, graph: &mut Message) {
+    let (before, behind) = crop.split_at(crop.len() / 2);
+    let starts: Vec<i64> = before.iter().map(|pad| -pad).collect();
+    // Negative ends are counted from the end, and there is none behind all.
+    let ends: Vec<i64> = behind.iter().map(|&pad| if pad < 0 { pad } else { i64::from(i32::MAX) }).collect();
+    let names = ["starts", "ends"].map(|what| format!("{output}:{what}"));
+    integers(graph, &names[0], starts);
+    integers(graph, &names[1], ends);
+    operation(graph, "Slice", &[input, &names[0], &names[1]], output);
+}
+
+/// Adds a LayerNormalization, and after it what works out its mean and one over its deviation.
+fn normalization(
+    node: &Field,
+    parts: &[Field],
+    input: &str,
+    outputs: &[&str],
+    graph: &mut Message,
+) -> Result<(), Damaged> {
     let (mut axis, mut epsilon) = (-1, 1e-5);
     let mut normal = Message::default();
     let mut outputs_kept = 0;
-    for part in &parts {
+    for part in parts {
         if part.number == number::NODE_ATTRIBUTE {
             read_attribute(part.bytes(), &mut axis, &mut epsilon)?;
         }
@@ -125,11 +182,7 @@ fn node(node: &Field, graph: &mut Message) -> Result<(), Damaged> {
     let (mean, scale) = (named(1, "mean"), named(2, "scale"));
     let [axes, least, from_mean, squares, variance, raised, deviation] =
         ["axes", "epsilon", "from mean", "squares", "variance", "raised", "deviation"].map(inner);
-    constant(graph, &axes, |attribute| {
-        attribute.bytes(number::ATTRIBUTE_NAME, b"value_ints");
-        (axis..0).for_each(|axis| attribute.integer(number::ATTRIBUTE_INTEGERS, axis));
-        attribute.integer(number::ATTRIBUTE_TYPE, 7);
-    });
+    integers(graph, &axes, axis..0);
     constant(graph, &least, |attribute| {
         attribute.bytes(number::ATTRIBUTE_NAME, b"value_float");
         attribute.float(number::ATTRIBUTE_FLOAT, epsilon);
@@ -165,6 +218,14 @@ fn operation(graph: &mut Message, operator: &str, inputs: &[&str], output: &str)
     node.bytes(number::NODE_OUTPUT, output.as_bytes());
     node.bytes(number::NODE_OPERATOR, operator.as_bytes());
     graph.bytes(number::GRAPH_NODE, &node.0);
+}
+
+fn integers(graph: &mut Message, output: &str, values: impl IntoIterator<Item = i64>) {
+    constant(graph, output, |attribute| {
+        attribute.bytes(number::ATTRIBUTE_NAME, b"value_ints");
+        values.into_iter().for_each(|value| attribute.integer(number::ATTRIBUTE_INTEGERS, value));
+        attribute.integer(number::ATTRIBUTE_TYPE, 7);
+    });
 }
 
 fn constant(graph: &mut Message, output: &str, value: impl FnOnce(&mut Message)) {

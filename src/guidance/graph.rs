@@ -187,7 +187,7 @@ fn is_port(model: &Model, id: NodeId, port: &Port) -> bool {
 mod tests {
     use super::*;
     use crate::few_cases::few_cases;
-    use crate::testing::{FLOAT, Writer, text_encoder};
+    use crate::testing::{FLOAT, INT64, Writer, text_encoder};
     use proptest::prelude::*;
 
     type Change = fn(&mut Vec<Port>, &mut Vec<Port>);
@@ -221,6 +221,21 @@ mod tests {
             |found: &[f32], meant: &[f32]| found.iter().zip(meant).all(|(a, b)| (a - b).abs() < 1e-4 * (1.0 + b.abs()));
         assert!(near(&answers[0], &[-2.0 * scale, -scale, 0.0, 3.0 * scale, 0.0, 0.0, 0.0, 0.0]), "{answers:?}");
         assert!(near(&answers[1], &[3.0, 0.0]) && near(&answers[2], &[scale, 1e5f32.sqrt()]), "{answers:?}");
+    }
+
+    #[test]
+    fn negative_pads_take_away() {
+        let pads = [0i64, -1, 0, -2].map(i64::to_le_bytes).concat();
+        let file = Writer::default()
+            .weights("pads", INT64, &[4], &pads)
+            .node("Pad", &["x", "pads"], &["y"], &[])
+            .port(11, "x", FLOAT, &[0, 5])
+            .port(12, "y", FLOAT, &[0, 2])
+            .file();
+        let [x, y] = [("x", 5), ("y", 2)].map(|(name, width)| vec![Port::new(name, [None, Some(width)])]);
+        let graph = Graph::open("pads.onnx", &file, x, y).unwrap();
+        let numbers: Vec<f32> = (0u8..10).map(f32::from).collect();
+        assert_eq!(graph.run(vec![numbers.into()], 2).unwrap(), [[1.0, 2.0, 6.0, 7.0]]);
     }
 
     #[test]

@@ -4,6 +4,8 @@
 //! It is a crate of its own so that nobody who uses the library compiles what runs networks: the command line does.
 
 mod adapt;
+mod denoiser;
+mod encoder;
 mod graph;
 mod network;
 mod noise;
@@ -19,6 +21,9 @@ mod few_cases;
 #[cfg(test)]
 mod testing;
 
-pub use network::{Facts, OnnxNetwork};
+pub use denoiser::{Contexts, OnnxDenoiser};
+pub use encoder::OnnxEncoder;
+pub use network::OnnxNetwork;
+pub use sidecar::Facts;
 pub use text::TextEncoder;
 pub use words::{Dictionary, WordTable};

@@ -1,7 +1,8 @@
 //! Networks from guidance-v1 files. The contract is in `tools/guidance/README.md`.
 
 use crate::graph::{Graph, Port};
-use crate::sidecar::{Sidecar, unit};
+use crate::sidecar::{Facts, Kind, Sidecar, is_vector, size_fault, unit};
+use serde::Deserialize;
 use std::path::Path;
 use std::sync::Arc;
 use wire4d_core::Result;
@@ -15,21 +16,34 @@ pub struct OnnxNetwork {
     size: usize,
     embed: usize,
     facts: Arc<Facts>,
+    words: Arc<Vec<(String, Vec<f32>)>>,
 }
 
-/// What a person should know of a network.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Facts {
-    /// What it is called.
-    pub name: String,
-    /// Whose weights these are.
-    pub origin: String,
-    /// Under which licence.
-    pub licence: String,
-    /// The file's SHA-256.
-    pub sha256: String,
-    /// Words it came with, and their unit vectors.
-    pub words: Vec<(String, Vec<f32>)>,
+/// What its sidecar says.
+#[derive(Deserialize)]
+struct Own {
+    size: usize,
+    embed: usize,
+    #[serde(default)]
+    embeddings: Vec<Embedding>,
+}
+
+/// Words and their vector.
+#[derive(Deserialize)]
+struct Embedding {
+    prompt: String,
+    vector: Vec<f32>,
+}
+
+impl Kind for Own {
+    const NAME: &str = "guidance-v1";
+
+    fn fault(&self) -> Option<String> {
+        let odd = || self.embeddings.iter().find(|entry| !is_vector(&entry.vector, self.embed));
+        size_fault("size", self.size, 1024).or_else(|| size_fault("embed", self.embed, 16_384)).or_else(|| {
+            odd().map(|odd| format!("what it has for {:?} is no vector of {} numbers", odd.prompt, self.embed))
+        })
+    }
 }
 
 impl OnnxNetwork {
@@ -40,8 +54,8 @@ impl OnnxNetwork {
     /// [`wire4d_core::Error::Input`] for a file that is missing, damaged or of another kind, [`wire4d_core::Error::Guidance`]
     /// for one that is not computed rightly here.
     pub fn open(file: &Path) -> Result<OnnxNetwork> {
-        let (sidecar, bytes) = Sidecar::with_file(file, "guidance-v1")?;
-        let (size, embed) = (Some(sidecar.size), Some(sidecar.embed));
+        let (Sidecar { facts, selftest, own }, bytes) = Sidecar::<Own>::with_file(file)?;
+        let (size, embed) = (Some(own.size), Some(own.embed));
         let image = [None, Some(3), size, size];
         let inputs = vec![
             Port::new("image", image),
@@ -56,11 +70,15 @@ impl OnnxNetwork {
             Port::new("embedding", [None, embed]),
         ];
         let graph = Graph::open(&file.display().to_string(), &bytes, inputs, outputs)?;
-        sidecar.selftest.check(&graph)?;
-        let words = sidecar.embeddings.iter().map(|entry| (entry.prompt.clone(), unit(&entry.vector))).collect();
-        let Sidecar { size, embed, name, origin, licence, sha256, .. } = sidecar;
-        let facts = Arc::new(Facts { name, origin, licence, sha256, words });
-        Ok(OnnxNetwork { graph: Arc::new(graph), size, embed, facts })
+        selftest.check(&graph)?;
+        let Own { size, embed, embeddings } = own;
+        let words = embeddings.into_iter().map(|entry| (entry.prompt, unit(&entry.vector))).collect();
+        Ok(OnnxNetwork { graph: Arc::new(graph), size, embed, facts: Arc::new(facts), words: Arc::new(words) })
+    }
+
+    /// Words it came with, and their unit vectors.
+    pub fn words(&self) -> &[(String, Vec<f32>)] {
+        &self.words
     }
 
     /// What a person should know of it.
@@ -93,8 +111,8 @@ impl Network for OnnxNetwork {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::fixture;
     use std::fs;
-    use std::path::PathBuf;
     use wire4d_core::Error;
     use wire4d_core::objective::{Aim, Guidance, Learned, Look, Member, Progress, Rendered};
     use wire4d_core::rng::Rng;
@@ -103,24 +121,12 @@ mod tests {
 
     type Change = fn(&mut Vec<u8>, &mut String);
 
-    fn fixture(name: &str) -> PathBuf {
-        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/guidance").join(name)
-    }
-
     fn tiny() -> OnnxNetwork {
         OnnxNetwork::open(&fixture("vit-tiny.onnx")).unwrap()
     }
 
-    /// Fixture and sidecar in a folder of their own, changed by `change`.
     fn spoilt(change: impl FnOnce(&mut Vec<u8>, &mut String)) -> Error {
-        let folder = tempfile::tempdir().unwrap();
-        let mut onnx = fs::read(fixture("vit-tiny.onnx")).unwrap();
-        let mut json = fs::read_to_string(fixture("vit-tiny.json")).unwrap();
-        change(&mut onnx, &mut json);
-        fs::write(folder.path().join("vit-tiny.onnx"), onnx).unwrap();
-        fs::write(folder.path().join("vit-tiny.json"), json).unwrap();
-        let opened = OnnxNetwork::open(&folder.path().join("vit-tiny.onnx"));
-        opened.map(|_| ()).expect_err("a spoilt file was taken")
+        crate::testing::spoilt("vit-tiny", OnnxNetwork::open, change)
     }
 
     #[test]
@@ -189,25 +195,6 @@ mod tests {
         assert!((slope / length - 1.0).abs() < 1e-3, "{slope} and {length}");
     }
 
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn memory_does_not_grow_from_run_to_run() {
-        let resident = || {
-            let pages = fs::read_to_string("/proc/self/statm").unwrap();
-            4096 * pages.split(' ').nth(1).unwrap().parse::<i64>().unwrap()
-        };
-        let network = tiny();
-        let images = crate::noise::uniform(1, 8 * 3072);
-        let (source, target) = (vec![0.0; 8 * 16], crate::noise::unit_rows(2, 8 * 16, 16));
-        let batch = Batch { images: &images, source: &source, target: &target, weight: &[1.0; 8] };
-        let run = |count| (0..count).for_each(|_| assert!(network.answer(batch).is_ok()));
-        run(16);
-        let before = resident();
-        run(256);
-        // What a run answers alone is 100 kB; other tests run beside this one.
-        assert!(resident() - before < 8 << 20, "{} bytes more", resident() - before);
-    }
-
     #[test]
     fn spoilt_files_are_refused_in_a_sentence() {
         let cases: [(&str, Change); 9] = [
@@ -228,6 +215,8 @@ mod tests {
         }
         let missing = OnnxNetwork::open(&fixture("nothing.onnx")).map(|_| ()).unwrap_err().to_string();
         assert!(missing.contains("nothing.json"), "{missing}");
+        let picture = spoilt(|onnx, _| *onnx = b"\x89PNG\r\n\x1a\n and so on".to_vec()).to_string();
+        assert!(picture.contains("vit-tiny.onnx: is a picture"), "{picture}");
         let vector = spoilt(|_, json| {
             *json = json.replacen('{', "{\"embeddings\": [{\"prompt\": \"cat\", \"vector\": [1]}],", 1)
         });

@@ -2,91 +2,110 @@
 
 use crate::selftest::SelfTest;
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::fs;
+use std::io::Read;
 use std::path::Path;
 use wire4d_core::{Error, Result};
 
 /// Bytes of the largest JSON that is read: some ten thousand words with their vectors.
 pub const MOST_JSON_BYTES: u64 = 128 << 20;
 
-/// What a sidecar says, as far as it is asked.
-#[derive(Debug, Clone, Deserialize)]
-pub struct Sidecar {
-    /// `guidance-v1` or `text-v1`.
-    pub kind: String,
-    /// What the network is called.
+/// What every sidecar says, and what one of its kind says besides.
+#[derive(Debug, Clone)]
+pub struct Sidecar<K> {
+    /// What a person should know.
+    pub facts: Facts,
+    /// What the network should answer.
+    pub selftest: SelfTest,
+    /// The rest.
+    pub own: K,
+}
+
+/// What a sidecar of one kind says.
+pub trait Kind: DeserializeOwned {
+    /// Its name.
+    const NAME: &str;
+
+    /// Says which of its numbers no network has: what claims that is damaged.
+    fn fault(&self) -> Option<String>;
+}
+
+/// What a person should know of a network.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Facts {
+    /// What it is called.
     pub name: String,
-    /// Side of a picture in pixels; of guidance-v1.
-    #[serde(default)]
-    pub size: usize,
-    /// Tokens of a prompt; of text-v1.
-    #[serde(default)]
-    pub context: usize,
-    /// Numbers of an embedding.
-    pub embed: usize,
     /// Whose weights these are.
     #[serde(default)]
     pub origin: String,
     /// Under which licence.
     #[serde(default)]
     pub licence: String,
-    /// Size of the ONNX file.
-    pub bytes: u64,
-    /// Its SHA-256, lower-case hexadecimal.
+    /// The file's SHA-256, lower-case hexadecimal.
     pub sha256: String,
-    /// What it should answer.
-    pub selftest: SelfTest,
-    /// Words with their vectors.
-    #[serde(default)]
-    pub embeddings: Vec<Embedding>,
-    /// The tokenizer's file; of text-v1.
-    #[serde(default)]
-    pub tokenizer: Option<String>,
 }
 
-/// Words and their vector.
-#[derive(Debug, Clone, Deserialize)]
-pub struct Embedding {
-    /// The words.
-    pub prompt: String,
-    /// As many numbers as an embedding has.
-    pub vector: Vec<f32>,
+#[derive(Deserialize)]
+struct Named {
+    kind: String,
 }
 
-/// Sizes no network here has: what claims more is damaged.
-const MOST_SIZE: usize = 1024;
-const MOST_EMBED: usize = 16_384;
+#[derive(Deserialize)]
+struct Common {
+    #[serde(flatten)]
+    facts: Facts,
+    bytes: u64,
+    selftest: SelfTest,
+}
 
-impl Sidecar {
-    /// Reads the sidecar of the ONNX file `file`, and that file, which must be of `kind` and the one meant.
+impl<K: Kind> Sidecar<K> {
+    /// Reads the sidecar of the ONNX file `file`, and that file, which must be the one meant.
     ///
     /// # Errors
-    /// [`Error::Input`] for a file that is missing, for a sidecar that is none or is of another kind, for sizes beyond all
-    /// reason, and for a file that is not the one the sidecar was written for.
-    pub fn with_file(file: &Path, kind: &str) -> Result<(Sidecar, Vec<u8>)> {
+    /// [`Error::Input`] for a file that is missing or a picture, for a sidecar that is none or is of another kind, for sizes
+    /// beyond all reason, and for a file that is not the one the sidecar was written for.
+    pub fn with_file(file: &Path) -> Result<(Sidecar<K>, Vec<u8>)> {
+        if is_picture(file) {
+            let problem = "is a picture, and a network is asked for here";
+            let remedy = format!("give a {} file, NAME.onnx with NAME.json beside it", K::NAME);
+            return Err(Error::input(file.display().to_string(), problem, remedy));
+        }
         let path = file.with_extension("json");
         let name = path.display().to_string();
         let again = "take the .json that was written beside the .onnx";
-        let sidecar: Sidecar = json(&path, again)?;
-        if sidecar.kind != kind {
-            let problem = format!("is the sidecar of a {} file, and a {kind} file is needed", sidecar.kind);
+        let text = read(&path, MOST_JSON_BYTES, again)?;
+        let Named { kind } = parsed(&path, &text, again)?;
+        if kind != K::NAME {
+            let problem = format!("is the sidecar of a {kind} file, and a {} file is needed", K::NAME);
             return Err(Error::input(name, problem, "give another file"));
         }
-        let needed = if kind == "text-v1" { sidecar.context } else { sidecar.size };
-        if !(1..=MOST_SIZE).contains(&needed) || !(1..=MOST_EMBED).contains(&sidecar.embed) {
-            let problem = format!("says a size of {needed} and embeddings of {} numbers", sidecar.embed);
+        let Common { facts, bytes, selftest } = parsed(&path, &text, again)?;
+        let own: K = parsed(&path, &text, again)?;
+        if let Some(problem) = own.fault() {
             return Err(Error::input(name, problem, again));
         }
-        if let Some(odd) = sidecar.embeddings.iter().find(|entry| !is_vector(&entry.vector, sidecar.embed)) {
-            let problem = format!("what it has for {:?} is no vector of {} numbers", odd.prompt, sidecar.embed);
-            return Err(Error::input(name, problem, "export it again with vectors of this network's own text encoder"));
-        }
-        let bytes = read(file, sidecar.bytes, "give a guidance file, NAME.onnx with NAME.json beside it")?;
-        check_sum(file, &bytes, &sidecar.sha256)?;
-        Ok((sidecar, bytes))
+        let remedy = format!("give a {} file, NAME.onnx with NAME.json beside it", K::NAME);
+        let onnx = read(file, bytes, &remedy)?;
+        check_sum(file, &onnx, &facts.sha256)?;
+        Ok((Sidecar { facts, selftest, own }, onnx))
     }
+}
+
+/// Says so if a size of a network, by name, is none up to `most`.
+pub fn size_fault(name: &str, size: usize, most: usize) -> Option<String> {
+    (!(1..=most).contains(&size)).then(|| format!("says a {name} of {size}"))
+}
+
+/// Whether a file begins as PNG, JPEG, GIF or WebP do.
+fn is_picture(file: &Path) -> bool {
+    let mut begin = [0; 12];
+    let read = fs::File::open(file).and_then(|mut file| file.read_exact(&mut begin));
+    let is_webp = begin.starts_with(b"RIFF") && begin.ends_with(b"WEBP");
+    read.is_ok()
+        && (is_webp || [&b"\x89PNG"[..], b"\xff\xd8\xff", b"GIF8"].iter().any(|magic| begin.starts_with(magic)))
 }
 
 /// Whether these can be a direction in a space of `embed` dimensions.
@@ -102,9 +121,12 @@ pub fn unit(numbers: &[f32]) -> Vec<f32> {
 }
 
 /// What a JSON file of at most [`MOST_JSON_BYTES`] holds. `remedy` says where to get a better one.
-pub fn json<T: for<'a> Deserialize<'a>>(path: &Path, remedy: &str) -> Result<T> {
-    let bytes = read(path, MOST_JSON_BYTES, remedy)?;
-    serde_json::from_slice(&bytes).map_err(|error| {
+pub fn json<T: DeserializeOwned>(path: &Path, remedy: &str) -> Result<T> {
+    parsed(path, &read(path, MOST_JSON_BYTES, remedy)?, remedy)
+}
+
+fn parsed<T: DeserializeOwned>(path: &Path, text: &[u8], remedy: &str) -> Result<T> {
+    serde_json::from_slice(text).map_err(|error| {
         Error::input(path.display().to_string(), format!("does not say what it should ({error})"), remedy)
     })
 }

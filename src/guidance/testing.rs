@@ -1,6 +1,9 @@
-//! Small ONNX files for tests, written field by field.
+//! Small ONNX files for tests: the fixtures, whole or spoilt, and some that are written field by field.
 
 use crate::protobuf::Message;
+use std::fs;
+use std::path::{Path, PathBuf};
+use wire4d_core::{Error, Result};
 
 pub use crate::sidecar::sha256_of as sha256;
 
@@ -10,6 +13,31 @@ pub const INT8: i64 = 3;
 pub const INT32: i64 = 6;
 pub const INT64: i64 = 7;
 pub const FLOAT16: i64 = 10;
+
+/// A file of `tests/data/guidance`.
+pub fn fixture(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/guidance").join(name)
+}
+
+/// What `open` makes of the fixture `name` and its sidecar in a folder of their own, changed by `change`.
+pub fn opened<T>(
+    name: &str,
+    open: fn(&Path) -> Result<T>,
+    change: impl FnOnce(&mut Vec<u8>, &mut String),
+) -> Result<T> {
+    let folder = tempfile::tempdir().unwrap();
+    let [onnx, json] = ["onnx", "json"].map(|ending| format!("{name}.{ending}"));
+    let (mut bytes, mut text) = (fs::read(fixture(&onnx)).unwrap(), fs::read_to_string(fixture(&json)).unwrap());
+    change(&mut bytes, &mut text);
+    fs::write(folder.path().join(&onnx), bytes).unwrap();
+    fs::write(folder.path().join(&json), text).unwrap();
+    open(&folder.path().join(&onnx))
+}
+
+/// Why `open` refuses it.
+pub fn spoilt<T>(name: &str, open: fn(&Path) -> Result<T>, change: impl FnOnce(&mut Vec<u8>, &mut String)) -> Error {
+    opened(name, open, change).map(|_| ()).expect_err("a spoilt file was taken")
+}
 
 /// A graph being written.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! Text encoders from text-v1 files, and CLIP's tokenizer. Source of the tokens: `tools/guidance/guidance/tokens.py`.
 
 use crate::graph::{Graph, Port};
-use crate::sidecar::{Sidecar, json, unit};
+use crate::sidecar::{Kind, Sidecar, json, size_fault, unit};
 use serde::Deserialize;
 use std::collections::HashMap;
 use std::path::Path;
@@ -14,6 +14,25 @@ pub struct TextEncoder {
     tokenizer: Tokenizer,
 }
 
+/// What its sidecar says.
+#[derive(Deserialize)]
+struct Own {
+    /// Tokens of a prompt.
+    context: usize,
+    embed: usize,
+    /// The tokenizer's file.
+    #[serde(default)]
+    tokenizer: Option<String>,
+}
+
+impl Kind for Own {
+    const NAME: &str = "text-v1";
+
+    fn fault(&self) -> Option<String> {
+        size_fault("context", self.context, 1024).or_else(|| size_fault("embed", self.embed, 16_384))
+    }
+}
+
 impl TextEncoder {
     /// Opens `file` with the sidecar and the tokenizer beside it.
     ///
@@ -21,21 +40,21 @@ impl TextEncoder {
     /// [`Error::Input`] for a file that is missing, damaged or of another kind, [`Error::Guidance`] for one that is not
     /// computed rightly here.
     pub fn open(file: &Path) -> Result<TextEncoder> {
-        let (sidecar, bytes) = Sidecar::with_file(file, "text-v1")?;
+        let (Sidecar { selftest, own, .. }, bytes) = Sidecar::<Own>::with_file(file)?;
         let name = file.display().to_string();
         let remedy = "export the text encoder again, with its tokenizer";
         // A name alone: a sidecar must not point anywhere else.
-        let beside = sidecar.tokenizer.as_deref().filter(|name| Path::new(name).file_name() == Some(name.as_ref()));
+        let beside = own.tokenizer.as_deref().filter(|name| Path::new(name).file_name() == Some(name.as_ref()));
         let Some(beside) = beside else { return Err(Error::input(name, "has no tokenizer beside it", remedy)) };
         let path = file.with_file_name(beside);
-        let tokenizer = Tokenizer::new(json(&path, remedy)?, sidecar.context)
+        let tokenizer = Tokenizer::new(json(&path, remedy)?, own.context)
             .ok_or_else(|| Error::input(path.display().to_string(), "is no tokenizer of this text encoder", remedy))?;
-        let mut ids = Port::new("ids", [None, Some(sidecar.context)]);
+        let mut ids = Port::new("ids", [None, Some(own.context)]);
         ids.is_integer = true;
-        let embedding = Port::new("embedding", [None, Some(sidecar.embed)]);
+        let embedding = Port::new("embedding", [None, Some(own.embed)]);
         let graph = Graph::open(&name, &bytes, vec![ids], vec![embedding])?;
-        sidecar.selftest.check(&graph)?;
-        Ok(TextEncoder { graph, embed: sidecar.embed, tokenizer })
+        selftest.check(&graph)?;
+        Ok(TextEncoder { graph, embed: own.embed, tokenizer })
     }
 
     /// Numbers a vector.

@@ -1,6 +1,6 @@
 //! Words to vectors: a network's own, a table of many, or a text encoder.
 
-use crate::network::{Facts, OnnxNetwork};
+use crate::network::OnnxNetwork;
 use crate::sidecar::{check_sum, json, read, unit};
 use crate::text::TextEncoder;
 use serde::Deserialize;
@@ -86,19 +86,26 @@ impl Dictionary {
     /// # Errors
     /// [`Error::Input`] where table or encoder give vectors of another size than the network's.
     pub fn new(network: &OnnxNetwork, table: Option<WordTable>, encoder: Option<TextEncoder>) -> Result<Dictionary> {
-        Dictionary::of(network.facts(), network.embed(), table, encoder)
+        Dictionary::of(&network.facts().name, network.words().to_vec(), network.embed(), table, encoder)
     }
 
-    fn of(facts: &Facts, embed: usize, table: Option<WordTable>, encoder: Option<TextEncoder>) -> Result<Dictionary> {
+    /// For what is called `name` and takes vectors of `embed` numbers: `own` first, which may be of any length.
+    pub(crate) fn of(
+        name: &str,
+        own: Vec<(String, Vec<f32>)>,
+        embed: usize,
+        table: Option<WordTable>,
+        encoder: Option<TextEncoder>,
+    ) -> Result<Dictionary> {
         let given = [("the word table", table.as_ref().map(WordTable::embed))];
         let given = given.into_iter().chain([("the text encoder", encoder.as_ref().map(TextEncoder::embed))]);
-        for (name, found) in given {
+        for (source, found) in given {
             if let Some(found) = found.filter(|&found| found != embed) {
-                let problem = format!("has vectors of {found} numbers, and those of {} have {embed}", facts.name);
-                return Err(Error::input(name, problem, "give the one that belongs to the network"));
+                let problem = format!("has vectors of {found} numbers, and those of {name} have {embed}");
+                return Err(Error::input(source, problem, "give the one that belongs to the network"));
             }
         }
-        Ok(Dictionary { own: facts.words.clone(), table, encoder })
+        Ok(Dictionary { own, table, encoder })
     }
 
     /// The unit vector of `words`.
@@ -170,24 +177,22 @@ mod tests {
         WordTable::open(&folder.path().join("words.json"))
     }
 
-    fn facts() -> Facts {
-        let words = vec![("a Cat".to_owned(), vec![1.0, 0.0])];
-        let [name, origin, licence, sha256] = ["net", "", "", ""].map(str::to_owned);
-        Facts { name, origin, licence, sha256, words }
+    fn own() -> Vec<(String, Vec<f32>)> {
+        vec![("a Cat".to_owned(), vec![1.0, 0.0])]
     }
 
     #[test]
     fn words_are_looked_up_in_order_and_unknown_ones_answered_with_some_alike() {
         let rows: Vec<u8> = [127i8, 0, 3, -4].map(|value| value as u8).into();
         let both = table(&["dog", "black dog"], &rows, "word-table-v1").unwrap();
-        let dictionary = Dictionary::of(&facts(), 2, Some(both), None).unwrap();
+        let dictionary = Dictionary::of("net", own(), 2, Some(both), None).unwrap();
         assert_eq!(dictionary.vector("A  cat").unwrap(), [1.0, 0.0]);
         assert_eq!(dictionary.vector(" Black dog").unwrap(), [0.6, -0.8]);
         let unknown = dictionary.vector("log").unwrap_err();
         assert!(unknown.is_bad_input() && unknown.to_string().contains("such as dog, "), "{unknown}");
         let scaled = table(&["dog"], &[3, 4, 0, 0, 0, 64], "word-table-v1").unwrap();
         assert_eq!(scaled.vector("dog").unwrap(), [0.6, 0.8]);
-        assert!(Dictionary::of(&facts(), 3, Some(scaled), None).is_err());
+        assert!(Dictionary::of("net", own(), 3, Some(scaled), None).is_err());
     }
 
     #[test]

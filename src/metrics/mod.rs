@@ -19,8 +19,8 @@ pub use evenness::Evenness;
 pub use lines::length_over_lines;
 pub use picture::{PictureMatch, match_pictures, match_pictures_with, precision_2px, psnr_db, recall_2px, soft_iou};
 pub use report::{
-    ArrangementReport, BentReport, EventReport, GuidanceReport, NetworkReport, REPORT_SIZE_PX, ReadingReport, Report,
-    ResultReport, TimeReport, ViewReport, WordsReport,
+    ArrangementReport, AskedReport, BentReport, DistillationReport, EventReport, GuidanceReport, NetworkReport,
+    REPORT_SIZE_PX, ReadingReport, Report, ResultReport, TimeReport, ViewReport, WordsReport,
 };
 pub use shape::{ShapeMetrics, shape};
 pub use surface::SurfaceReport;

@@ -38,6 +38,9 @@ pub struct Report {
     /// What else guided the fit; whoever had it guided fills it in.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub guidance: Option<GuidanceReport>,
+    /// A diffusion model that guided it, likewise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distillation: Option<DistillationReport>,
     /// What happened on the way.
     pub events: Vec<EventReport>,
 }
@@ -120,8 +123,11 @@ pub struct GuidanceReport {
     pub weight: f32,
     /// What the views that have words were to show.
     pub views: Vec<WordsReport>,
-    /// CLIP's score: mean of the views' `cos`.
-    pub mean_cos: f32,
+    /// CLIP's score: mean of the views' `cos`; `None` where no view has words.
+    pub mean_cos: Option<f32>,
+    /// Mean cosine between what the sides show and what the front should, where they were to be like that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub like_picture: Option<f32>,
     /// Why the fit went on without them, if it did.
     pub trouble: Option<String>,
 }
@@ -148,6 +154,34 @@ pub struct WordsReport {
     pub words: String,
     /// Cosine between the words and the view, mean over networks, -1 to 1.
     pub cos: f32,
+}
+
+/// How a diffusion model guided the fit, by score distillation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DistillationReport {
+    /// The model.
+    pub denoiser: NetworkReport,
+    /// What its latents were made by; `None` where it sees pixels.
+    pub encoder: Option<NetworkReport>,
+    /// Weight of what it says, where the comparison of pictures weighs 1.
+    pub weight: f32,
+    /// How much of the difference between words and none counted.
+    pub scale: f32,
+    /// How the time fell: `falling` or `dreamtime`.
+    pub times: String,
+    /// What it was asked for.
+    pub views: Vec<AskedReport>,
+    /// Why the fit went on without it, if it did.
+    pub trouble: Option<String>,
+}
+
+/// A view and what was asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AskedReport {
+    /// Name of the view.
+    pub view: String,
+    /// The words.
+    pub words: String,
 }
 
 /// Something that happened during the fit.

@@ -238,6 +238,7 @@ impl Run {
             arrangement: self.arrangement(),
             reading: Vec::new(),
             guidance: None,
+            distillation: None,
             events: event_reports(&self.session),
         }
     }

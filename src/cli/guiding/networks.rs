@@ -1,37 +1,34 @@
-//! Networks that guide a run: what `--guide` and its like say, and what comes of it.
+//! `--guide`: networks that know words and pictures pull the views.
 
-use crate::making::Making;
+use super::words::{Wording, fitted};
+use super::{named, trouble, vocabulary};
 use clap::ArgMatches;
-use std::path::{Path, PathBuf};
-use wire4d::metrics::{GuidanceReport, NetworkReport, WordsReport};
-use wire4d::objective::{Aim, Learned, Look, Member, similarity};
+use std::path::PathBuf;
+use wire4d::metrics::{GuidanceReport, WordsReport};
+use wire4d::objective::{Aim, Learned, Look, Member, embedding, similarity};
 use wire4d::optimize::wait;
+use wire4d::sculpture::render;
 use wire4d::tasks::Run;
+use wire4d::view::Image;
 use wire4d::{Error, Result};
-use wire4d_guidance::{Dictionary, OnnxNetwork, TextEncoder, WordTable};
+use wire4d_guidance::{Dictionary, OnnxNetwork};
 
 /// By this name the session knows them.
 const NAME: &str = "--guide";
 
-/// The networks of a run, and what each view is to show.
+/// The networks of a run, and how they look.
 pub struct Guiding {
     networks: Vec<(OnnxNetwork, Dictionary)>,
-    words: Vec<Words>,
     neutral: Option<String>,
+    /// Whether views beside the first are to be like what that one shows.
+    like_picture: bool,
     look: Look,
     weight: f32,
 }
 
-/// `--words`.
-struct Words {
-    /// The only view that they are for; all without.
-    view: Option<String>,
-    words: String,
-}
-
 impl Guiding {
-    /// Opens all files and looks all words up: what is wrong with them shows before anything is made. None without networks.
-    pub fn new(matches: &ArgMatches) -> Result<Option<Guiding>> {
+    /// None without `--guide`.
+    pub fn new(matches: &ArgMatches, wording: &Wording) -> Result<Option<Guiding>> {
         let files: Vec<&PathBuf> = matches.get_many("guide").into_iter().flatten().collect();
         if files.is_empty() {
             return Ok(None);
@@ -46,46 +43,50 @@ impl Guiding {
             Some("patches") => Look::Grid { cells: 4 },
             _ => Look::WORDS,
         };
-        let table = matches.get_one::<PathBuf>("word-table").map(PathBuf::as_path);
-        let text = matches.get_one::<PathBuf>("text").map(PathBuf::as_path);
-        let networks = files.iter().map(|file| open(file, table, text)).collect::<Result<Vec<_>>>()?;
-        let words = matches.get_many::<String>("words").into_iter().flatten().map(|text| Words::new(text)).collect();
-        // Where views change there is no first picture of each.
+        let open = |file: &&PathBuf| {
+            let network = OnnxNetwork::open(file)?;
+            let (table, text) = vocabulary(matches, file)?;
+            let dictionary = Dictionary::new(&network, table, text)?;
+            Ok((network, dictionary))
+        };
+        let networks = files.iter().map(open).collect::<Result<Vec<_>>>()?;
+        // Where views change there is no first picture of each; and only one task has a single picture.
         let neutral = matches.try_get_one::<String>("neutral").ok().flatten().cloned();
-        let guiding = Guiding { networks, words, neutral, look, weight };
-        for (_, dictionary) in &guiding.networks {
-            for words in guiding.words.iter().map(|words| &words.words).chain(&guiding.neutral) {
+        let like_picture = matches.try_get_one::<bool>("like-picture").ok().flatten() == Some(&true);
+        for (_, dictionary) in &networks {
+            for words in wording.iter().chain(neutral.as_deref()) {
                 dictionary.vector(words)?;
             }
         }
-        Ok(Some(guiding))
+        Ok(Some(Guiding { networks, neutral, like_picture, look, weight }))
     }
 
-    /// Has the networks guide `run`, which is at its beginning.
-    ///
-    /// # Errors
-    /// [`Error::Setting`] for words of a view that is not there.
-    pub fn guide(&self, run: &mut Run) -> Result<()> {
-        let targets = &run.session().problem().targets;
-        let names: Vec<&str> = targets.iter().map(|target| target.view.name.as_str()).collect();
-        let stray = self.words.iter().filter_map(|words| words.view.as_deref()).find(|view| !names.contains(view));
-        if let Some(stray) = stray {
-            let problem = format!("there is no view {stray:?}");
-            return Err(Error::setting("--words", problem, format!("its views are {}", names.join(", "))));
+    /// Has the networks guide `run`.
+    pub fn guide(&self, run: &mut Run, wording: &Wording) -> Result<()> {
+        let views = fitted(run);
+        if self.like_picture && views.len() < 2 {
+            let remedy = "give --side-views of 1 or more";
+            return Err(Error::setting("--like-picture", "there is no side that could be like it", remedy));
         }
         let made = run.sculpture();
         let mut members = Vec::new();
         for (network, dictionary) in &self.networks {
             let neutral = self.neutral.as_ref().map(|words| dictionary.vector(words)).transpose()?;
             let aim = |(view, name): (usize, &&str)| {
-                let Some(words) = self.words(name) else { return Ok(None) };
+                if self.is_like_picture(view, name, wording) {
+                    return Ok(Some(Aim::LikePicture(run.targets()[0].ink.clone())));
+                }
+                let Some(words) = wording.of(name) else { return Ok(None) };
                 let words = dictionary.vector(words)?;
                 Ok(Some(match &neutral {
                     None => Aim::Like(words),
-                    Some(neutral) => Aim::between(neutral, &words, first_look(run, &made.wire, view))?,
+                    Some(neutral) => {
+                        let first = render(&made.wire, &run.session().problem().targets[view].view);
+                        Aim::between(neutral, &words, first)?
+                    }
                 }))
             };
-            let aims = names.iter().enumerate().map(aim).collect::<Result<_>>()?;
+            let aims = views.iter().enumerate().map(aim).collect::<Result<_>>()?;
             members.push(Member::new(Box::new(network.clone()), aims)?);
         }
         let learned = Learned::new(members, self.look, run.settings().seed);
@@ -93,79 +94,54 @@ impl Guiding {
         Ok(())
     }
 
-    /// How like its words each of the report's views came out. Says so where the run went on without the networks.
-    pub fn report(&self, run: &Run, making: &Making) -> Result<GuidanceReport> {
-        let trouble = run.session().guidance_troubles().into_iter().find(|(name, _)| name == NAME);
-        let trouble = trouble.map(|(_, error)| error.to_string());
-        if let Some(trouble) = &trouble {
-            making.say(&format!("went on without what was to guide: {trouble}"));
-        }
-        let made = run.sculpture();
-        let mut views = Vec::new();
-        for (index, target) in run.targets().iter().enumerate() {
-            let Some(words) = self.words(&target.view.name) else { continue };
-            let picture = run.draw(&made.wire, index);
-            let mut cos = 0.0;
+    /// A side without words of its own follows the picture, where that is asked for.
+    fn is_like_picture(&self, view: usize, name: &str, wording: &Wording) -> bool {
+        self.like_picture && view > 0 && wording.own(name).is_none()
+    }
+
+    /// How like its words, or the picture, each of the report's views came out.
+    pub fn report(&self, run: &Run, wording: &Wording) -> Result<GuidanceReport> {
+        let trouble = trouble(run, NAME);
+        // Where a network failed before it may fail again: that is in the report already.
+        let mean = |cos: &dyn Fn(&OnnxNetwork, &Dictionary) -> Result<f32>| {
+            let mut sum = 0.0;
             for (network, dictionary) in &self.networks {
-                let vector = dictionary.vector(words)?;
-                // Where it failed before it may fail again: that is in the report already.
-                match wait(similarity(&mut network.clone(), &picture, &vector)) {
+                match cos(network, dictionary) {
                     Err(_) if trouble.is_some() => {}
-                    found => cos += found? / self.networks.len() as f32,
+                    found => sum += found?,
                 }
             }
-            views.push(WordsReport { view: target.view.name.clone(), words: words.to_owned(), cos });
+            Ok::<f32, Error>(sum / self.networks.len() as f32)
+        };
+        let made = run.sculpture();
+        let (mut views, mut sides) = (Vec::new(), Vec::new());
+        for (index, target) in run.targets().iter().enumerate() {
+            let name = &target.view.name;
+            let shown = run.draw(&made.wire, index);
+            if self.is_like_picture(index, name, wording) {
+                sides.push(mean(&|network, _| likeness(network, &shown, &run.targets()[0].ink))?);
+            } else if let Some(words) = wording.of(name) {
+                let cos = mean(&|network, dictionary| {
+                    wait(similarity(&mut network.clone(), &shown, &dictionary.vector(words)?))
+                })?;
+                views.push(WordsReport { view: name.clone(), words: words.to_owned(), cos });
+            }
         }
-        let networks = self.networks.iter().map(|(network, _)| {
-            let facts = network.facts().clone();
-            NetworkReport { name: facts.name, origin: facts.origin, licence: facts.licence, sha256: facts.sha256 }
-        });
-        let mean_cos = views.iter().map(|view| view.cos).sum::<f32>() / views.len().max(1) as f32;
-        Ok(GuidanceReport { networks: networks.collect(), weight: self.weight, views, mean_cos, trouble })
-    }
-
-    /// What a view is to show: its own words before those of all.
-    fn words(&self, view: &str) -> Option<&str> {
-        let own = self.words.iter().rev().find(|words| words.view.as_deref() == Some(view));
-        let common = || self.words.iter().rev().find(|words| words.view.is_none());
-        own.or_else(common).map(|words| words.words.as_str())
+        let mean_of = |all: &[f32]| (!all.is_empty()).then(|| all.iter().sum::<f32>() / all.len() as f32);
+        Ok(GuidanceReport {
+            networks: self.networks.iter().map(|(network, _)| named(network.facts())).collect(),
+            weight: self.weight,
+            mean_cos: mean_of(&views.iter().map(|view| view.cos).collect::<Vec<_>>()),
+            like_picture: mean_of(&sides),
+            views,
+            trouble,
+        })
     }
 }
 
-impl Words {
-    fn new(text: &str) -> Words {
-        match text.split_once('=') {
-            Some((view, words)) => Words { view: Some(view.trim().to_owned()), words: words.trim().to_owned() },
-            None => Words { view: None, words: text.trim().to_owned() },
-        }
-    }
-}
-
-/// A network with all that knows words for it.
-fn open(file: &Path, table: Option<&Path>, text: Option<&Path>) -> Result<(OnnxNetwork, Dictionary)> {
-    let network = OnnxNetwork::open(file)?;
-    let beside = file.with_file_name("words.json");
-    let table = table.or_else(|| beside.is_file().then_some(beside.as_path()));
-    let table = table.map(WordTable::open).transpose()?;
-    let text = text.map(TextEncoder::open).transpose()?;
-    let dictionary = Dictionary::new(&network, table, text)?;
-    Ok((network, dictionary))
-}
-
-/// What a view of the fit shows of the first wire.
-fn first_look(run: &Run, wire: &wire4d::wire::Wire, view: usize) -> wire4d::view::Image {
-    wire4d::sculpture::render(wire, &run.session().problem().targets[view].view)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_views_own_words_come_before_those_of_all() {
-        let words = ["a cat", "side = a dog", "front=a=b"].map(Words::new).into();
-        let guiding = Guiding { networks: Vec::new(), words, neutral: None, look: Look::Whole, weight: 1.0 };
-        let found = ["front", "side", "top"].map(|view| guiding.words(view));
-        assert_eq!(found, [Some("a=b"), Some("a dog"), Some("a cat")]);
-    }
+/// The cosine between what a network sees in two pictures of ink.
+fn likeness(network: &OnnxNetwork, shown: &Image, picture: &Image) -> Result<f32> {
+    let mut network = network.clone();
+    let seen = wait(embedding(&mut network, picture))?;
+    wait(similarity(&mut network, shown, &seen))
 }

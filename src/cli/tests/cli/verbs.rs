@@ -13,7 +13,7 @@ fn wire4d(arguments: &[&str]) -> Output {
     program(arguments).output().unwrap()
 }
 
-fn program(arguments: &[&str]) -> Command {
+pub fn program(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_wire4d"));
     command.args(arguments);
     command

@@ -12,7 +12,7 @@ use crate::{Error, Result};
 
 /// A diffusion model, forward only: the contract eps-v1 of `tools/guidance`.
 pub trait Denoiser: Send {
-    /// Channels, rows and columns of what it sees.
+    /// Channels, rows and columns of what it sees: latents, or pixels from -1 to 1, of one channel or of three.
     fn shape(&self) -> [usize; 3];
 
     /// The noise that it sees in each of n rows `x_t`, `[n, C, h, w]`, at one time for all, each in its context, `[n, …]`.
@@ -56,7 +56,7 @@ pub struct Prompt {
 pub struct Distilled {
     /// The model.
     pub denoiser: Box<dyn Denoiser>,
-    /// What its latents are made by; none where it sees pixels, -1 to 1, coloured or grey.
+    /// What its latents are made by; none where it sees pixels.
     pub encoder: Option<Box<dyn Encoder>>,
     /// How noise grows.
     pub diffusion: Diffusion,
@@ -73,30 +73,21 @@ pub struct Distilled {
 }
 
 impl Distilled {
-    /// Of a picture's numbers those that a model without an encoder sees. All channels are equal: a grey one is given the first.
-    fn pixels(&self) -> usize {
-        self.denoiser.shape().iter().product()
-    }
-
     /// What the model sees of a picture, `[3, S, S]`.
     async fn seen(&mut self, image: &[f32]) -> Result<Vec<f32>> {
+        let [channels, rows, columns] = self.denoiser.shape();
         match &mut self.encoder {
-            None => Ok(image.iter().take(self.pixels()).map(|value| 2.0 * value - 1.0).collect()),
-            Some(encoder) => {
-                let [channels, rows, columns] = self.denoiser.shape();
-                Ok(encoder.run(image, &vec![0.0; channels * rows * columns]).done().await?.latent)
-            }
+            None if rows != columns => Err(unfit(format!("it sees pictures of {rows} x {columns} px, no squares"))),
+            None => pixels(image, channels)
+                .ok_or_else(|| unfit(format!("it sees {channels} channels, and pixels have one or three"))),
+            Some(encoder) => Ok(encoder.run(image, &vec![0.0; channels * rows * columns]).done().await?.latent),
         }
     }
 
     /// The gradient to the picture for the gradient to what the model sees of it.
     async fn pulled(&mut self, image: &[f32], d_seen: &[f32]) -> Result<Vec<f32>> {
         match &mut self.encoder {
-            None => {
-                let mut d_image = vec![0.0; image.len()];
-                d_image.iter_mut().zip(d_seen).for_each(|(image, seen)| *image = 2.0 * seen);
-                Ok(d_image)
-            }
+            None => Ok(pixels_vjp(d_seen, image.len())),
             Some(encoder) => Ok(encoder.run(image, d_seen).done().await?.gradient),
         }
     }
@@ -114,8 +105,7 @@ impl Distilled {
         let contexts = [&prompt.nothing[..], &prompt.context[..]].concat();
         let answers = self.denoiser.run(&x_t.repeat(2), t, &contexts).done().await?;
         if answers.len() != 2 * seen.len() {
-            let problem = format!("it answered with {} numbers, not {}", answers.len(), 2 * seen.len());
-            return Err(Error::guidance("", problem, "take a model of the contract eps-v1"));
+            return Err(unfit(format!("it answered with {} numbers, not {}", answers.len(), 2 * seen.len())));
         }
         let (nothing, asked) = answers.split_at(seen.len());
         let weight = self.diffusion.weight(t) as f32;
@@ -123,6 +113,29 @@ impl Distilled {
         let pull = |((u, c), eps): ((&f32, &f32), &f32)| weight * (u + scale * (c - u) - eps).clamp(-most, most);
         Ok(nothing.iter().zip(asked).zip(&noise).map(pull).collect())
     }
+}
+
+fn unfit(problem: String) -> Error {
+    Error::guidance("", problem, "take a model of the contract eps-v1, with the encoder of its latents")
+}
+
+/// What a model of one or three channels sees of a picture `[3, S, S]` from 0 to 1: the mean of its channels, or each.
+fn pixels(image: &[f32], channels: usize) -> Option<Vec<f32>> {
+    match channels {
+        1 => {
+            let [red, green, blue] = [0, 1, 2].map(|channel| &image[channel * (image.len() / 3)..]);
+            let grey = red.iter().zip(green).zip(blue).map(|((r, g), b)| (r + g + b) / 3.0);
+            Some(grey.map(|value| 2.0 * value - 1.0).collect())
+        }
+        3 => Some(image.iter().map(|value| 2.0 * value - 1.0).collect()),
+        _ => None,
+    }
+}
+
+/// The adjoint of [`pixels`], for a picture of `count` numbers.
+fn pixels_vjp(d_seen: &[f32], count: usize) -> Vec<f32> {
+    let repeats = count / d_seen.len();
+    d_seen.iter().map(|d| 2.0 / repeats as f32 * d).collect::<Vec<_>>().repeat(repeats)
 }
 
 impl Guidance for Distilled {
@@ -138,7 +151,7 @@ impl Guidance for Distilled {
                 let seen = self.seen(&image).await?;
                 let residual = self.residual(&seen, &prompt, progress, index).await?;
                 // A mean, so that one weight serves pictures and latents of every size.
-                let share = view.weight / residual.len() as f32;
+                let share = view.guided_weight() / residual.len() as f32;
                 loss += 0.5 * share * residual.iter().map(|r| r * r).sum::<f32>();
                 let d_seen: Vec<f32> = residual.iter().map(|r| share * r).collect();
                 let d_image = self.pulled(&image, &d_seen).await?;
@@ -204,9 +217,13 @@ mod tests {
     }
 
     fn distilled(scale: f32, latent: bool) -> Distilled {
+        of_channels(3, scale, latent)
+    }
+
+    fn of_channels(channels: usize, scale: f32, latent: bool) -> Distilled {
         let diffusion = Diffusion::linear(1e-4, 0.02, 1000);
         let factor = if latent { 2.0 } else { 1.0 };
-        let mean = (0..3 * SIDE * SIDE).map(|i| factor * (1.0 - 2.0 * wanted(i % (SIDE * SIDE)))).collect();
+        let mean = (0..channels * SIDE * SIDE).map(|i| factor * (1.0 - 2.0 * wanted(i % (SIDE * SIDE)))).collect();
         Distilled {
             denoiser: Box::new(Gaussian { mean, spread: 0.05, diffusion: diffusion.clone() }),
             encoder: latent.then(|| Box::new(Twice) as Box<dyn Encoder>),
@@ -242,8 +259,8 @@ mod tests {
 
     #[test]
     fn views_become_what_the_model_knows_and_the_others_stay() {
-        for latent in [false, true] {
-            let [front, side] = followed(&mut distilled(1.0, latent));
+        for (channels, latent) in [(3, false), (1, false), (3, true)] {
+            let [front, side] = followed(&mut of_channels(channels, 1.0, latent));
             let off = front.coverage.iter().enumerate().map(|(pixel, ink)| (ink - wanted(pixel)).abs()).sum::<f32>();
             assert!(off / 64.0 < 0.08, "{}", off / 64.0);
             assert!(side.coverage.iter().all(|&ink| ink == 0.4));
@@ -254,19 +271,32 @@ mod tests {
     }
 
     #[test]
-    fn a_model_may_see_grey() {
-        let mut grey = distilled(1.0, false);
-        let diffusion = grey.diffusion.clone();
-        let mean = (0..SIDE * SIDE).map(|i| 1.0 - 2.0 * wanted(i)).collect();
-        grey.denoiser = Box::new(Gaussian { mean, spread: 0.05, diffusion });
-        let [front, _] = followed(&mut grey);
-        let off = front.coverage.iter().enumerate().map(|(pixel, ink)| (ink - wanted(pixel)).abs()).sum::<f32>();
-        assert!(off / 64.0 < 0.08, "{}", off / 64.0);
+    fn pixels_of_one_channel_and_of_three_are_pulled_by_the_transposed_map() {
+        let mut rng = Rng::new(4, 0);
+        let mut random = |count: usize| (0..count).map(|_| rng.range(-1.0, 1.0) as f32).collect::<Vec<_>>();
+        let (image, step) = (random(3 * 16), random(3 * 16));
+        let moved: Vec<f32> = image.iter().zip(&step).map(|(a, b)| a + b).collect();
+        for channels in [1, 3] {
+            let d_seen = random(channels * 16);
+            let along = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
+            // Affine, so that any step is as good as a small one.
+            let seen = |image: &[f32]| along(&pixels(image, channels).unwrap(), &d_seen);
+            let off = seen(&moved) - seen(&image) - along(&pixels_vjp(&d_seen, 3 * 16), &step);
+            assert!(off.abs() < 1e-4, "{channels}: {off}");
+        }
+        assert_eq!(pixels(&[0.0, 1.0, 0.3, 1.0, 0.6, 1.0], 1), Some(vec![2.0 * 0.3 - 1.0, 1.0]));
+        assert_eq!(pixels(&image, 4), None);
     }
 
     #[test]
     fn the_gradient_is_the_formula() {
-        let mut distilled = distilled(7.5, false);
+        for channels in [1, 3] {
+            the_gradient_is_the_formula_of(channels);
+        }
+    }
+
+    fn the_gradient_is_the_formula_of(channels: usize) {
+        let mut distilled = of_channels(channels, 7.5, false);
         let mut views = views();
         views.iter_mut().for_each(|view| view.coverage.fill(0.3));
         views.iter_mut().for_each(Rendered::clear_gradient);
@@ -275,7 +305,7 @@ mod tests {
         // By hand, from the same time and noise.
         let t = Annealing::FALLING.time(&distilled.diffusion, 0.3, &mut Rng::new(1, 3));
         let mut rng = Rng::new(1 ^ 0x6e6f_6973, 3 << 16);
-        let noise: Vec<f64> = (0..3 * SIDE * SIDE).map(|_| rng.normal()).collect();
+        let noise: Vec<f64> = (0..channels * SIDE * SIDE).map(|_| rng.normal()).collect();
         let (a, n) = (distilled.diffusion.alpha_bar(t), SIDE * SIDE);
         let share = (1.0 - a).sqrt() / (a * 0.05 + 1.0 - a);
         let pull = |i: usize| {
@@ -283,10 +313,10 @@ mod tests {
             let mean = 1.0 - 2.0 * f64::from(wanted(i % n));
             let (u, c) = (share * x_t, share * (x_t - a.sqrt() * mean));
             // Ink is 1 - picture, and pixels are seen from -1 to 1.
-            -2.0 * (1.0 - a) * (u + 7.5 * (c - u) - noise[i]) / (3 * n) as f64
+            -2.0 * (1.0 - a) * (u + 7.5 * (c - u) - noise[i]) / (channels * n) as f64
         };
         for pixel in 0..n {
-            let by_hand = pull(pixel) + pull(pixel + n) + pull(pixel + 2 * n);
+            let by_hand: f64 = (0..channels).map(|channel| pull(pixel + channel * n)).sum();
             assert!((f64::from(views[0].gradient[pixel]) - by_hand).abs() < 1e-6, "{pixel}");
         }
         assert!(views[0].gradient.iter().any(|d| d.abs() > 1e-4));
@@ -311,7 +341,9 @@ mod tests {
             }
         }
         clamped.denoiser = Box::new(Short);
-        let refused = wait(clamped.guide(&mut views, Progress::default()).done()).unwrap_err();
-        assert!(refused.to_string().contains("5 numbers"), "{refused}");
+        let mut refused =
+            |by: &mut Distilled| wait(by.guide(&mut views, Progress::default()).done()).unwrap_err().to_string();
+        assert!(refused(&mut clamped).contains("5 numbers"));
+        assert!(refused(&mut of_channels(4, 1.0, false)).contains("4 channels"));
     }
 }
