@@ -39,9 +39,9 @@ export async function guideByWords({ run, guide, first, tell, notice, service }:
 const icons = async (progress: (share: number) => void): Promise<Readers> => (await import("../guidance/icons")).icons(progress);
 const denoiser = async (progress: (share: number) => void): Promise<Diffuser> => (await import("../guidance/denoiser")).denoiser(progress);
 
-/** By patches, where that is asked for: each departs from the first wire as the words do from neutral ones. */
-async function how({ look, neutral = "" }: Guide, { networks, vector, instead }: Readers, from: WireShape): Promise<WordsOptions> {
-  if (look !== "patches") return {};
+/** By patches, where that is asked of a network of one's own: each departs from the first wire as the words do from neutral ones. */
+async function how({ by, look, neutral = "" }: Guide, { networks, vector, instead }: Readers, from: WireShape): Promise<WordsOptions> {
+  if (by === ICONS || look !== "patches") return {};
   if (!neutral.trim()) return { look };
   const vectorOfNone = await vector(neutral.trim());
   if (!vectorOfNone) throw new GuidanceError("", `“${neutral}”, which the words are to differ from, is no word that guides here. ${instead(neutral)}`);

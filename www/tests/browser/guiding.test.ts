@@ -24,7 +24,13 @@ beforeAll(async () => {
     const settings = (backend: string) =>
       JSON.stringify({ backend, preset: "fast", size: "32", iterations: "24", bend: "none", grid: "16", control_points: "24", samples: "2" });
     const none = () => undefined;
-    Object.assign(window, { begin: (backend: string) => core.Run.start(drawings, settings(backend), none, none) });
+    const views = (...names: readonly string[]) => {
+      const set = new core.DrawingSet();
+      names.forEach((name) => set.guide(name));
+      return set;
+    };
+    const begin = (backend: string, set = drawings) => core.Run.start(set, settings(backend), none, none);
+    Object.assign(window, { begin, undrawn: (backend: string, ...names: readonly string[]) => begin(backend, views(...names)) });
   });
 });
 
@@ -37,11 +43,12 @@ interface Came {
 }
 
 /** A run to its end, guided by what `code` sets up on `run`. */
-const guided = (code: string, backend = "cpu"): Promise<Came> =>
+const guided = (code: string, backend = "cpu", ...undrawn: readonly string[]): Promise<Came> =>
   page.evaluate(
-    async ([code, backend]) => {
-      const { begin } = window as unknown as { begin(backend: string): Promise<Core["Run"]["prototype"]> };
-      const run = await begin(backend!);
+    async ([code, backend, ...names]) => {
+      type Begin = (backend: string, ...names: readonly string[]) => Promise<Core["Run"]["prototype"]>;
+      const { begin, undrawn } = window as unknown as { begin: Begin; undrawn: Begin };
+      const run = await (names.length ? undrawn(backend!, ...names) : begin(backend!));
       let ink = 0;
       const watch = ((images: readonly { ink: Float32Array }[]) => {
         ink = images.reduce((sum, image) => sum + image.ink.reduce((a, b) => a + b, 0) / image.ink.length, 0) / images.length;
@@ -53,7 +60,7 @@ const guided = (code: string, backend = "cpu"): Promise<Came> =>
       while (run.iteration < run.iterations) kinds.push(...(JSON.parse(await run.step(10)) as { kind: string }[]).map(({ kind }) => kind));
       return { wire: [...run.wire().control_points()], troubles: run.guidanceTroubles(), kinds, done: run.iteration === run.iterations, ink };
     },
-    [code, backend],
+    [code, backend, ...undrawn],
   );
 
 it("pulls a wire where a function says, as the documentation's example does, on both engines", async () => {
@@ -65,6 +72,18 @@ it("pulls a wire where a function says, as the documentation's example does, on 
   const onDevice = await guided(EXAMPLE, "gpu");
   expect(onDevice.troubles).toEqual([]);
   expect(Math.abs(onDevice.ink - pulled.ink)).toBeLessThan(0.01);
+});
+
+it("pulls a wire that nothing is drawn of, from a ring on, on both engines", async () => {
+  const alone = await guided("", "cpu", "front", "top");
+  const ends = [];
+  for (const backend of ["cpu", "gpu"]) ends.push(await guided(EXAMPLE, backend, "front", "top"));
+  const [pulled, onDevice] = ends as [Came, Came];
+  expect([pulled.troubles, onDevice.troubles]).toEqual([[], []]);
+  expect(Math.abs(pulled.ink - 0.1)).toBeLessThan(0.7 * Math.abs(alone.ink - 0.1));
+  expect(Math.abs(onDevice.ink - pulled.ink)).toBeLessThan(0.01);
+  expect(onDevice.wire.every(Number.isFinite)).toBe(true);
+  await expect(guided("", "cpu", "back")).rejects.toThrow("back");
 });
 
 it("is told how far the fit is and from where each view is seen", async () => {

@@ -131,6 +131,7 @@ it("guides a run by a diffusion model of one's own that sees pixels", async () =
   await own("eps-pixels-tiny", json("eps.json", data("eps-pixels-tiny.json").toString()));
   await by().selectOption("eps-pixels-tiny");
   await front("umbrella");
+  expect(await page.locator("guide-panel output").textContent()).toBe("1");
   await inspect(page, "diffusion");
   await run();
   expect(await withoutWords().count()).toBe(0);

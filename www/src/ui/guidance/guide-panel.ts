@@ -12,11 +12,10 @@ import "./model-shelf";
 import type { Facts } from "./model-shelf";
 
 const WEIGHTS = { most: 3, step: 0.1 } as const;
-/** The paper's, for patches. */
-const OF_PATCHES = 0.5;
+/** The paper's, for patches; and what a diffusion model takes. */
+const [OF_PATCHES, OF_DIFFUSION] = [0.5, 1];
 const NEUTRAL = "a wire";
 
-const usualWeight = ({ look }: Pick<Guide, "look">): number => (look === "patches" ? OF_PATCHES : USUAL_WEIGHT);
 /** Whether words are those of the table that comes with the page. */
 const isOurs = (by: string): boolean => by === ICONS || by === DENOISER;
 
@@ -135,7 +134,7 @@ export class GuidePanel extends Part {
   /** Of one picture: its other sides. A diffusion model compares no pictures. */
   private turned() {
     const { likePicture = false, by = ICONS } = this.guide ?? {};
-    const diffuses = by === DENOISER || this.models.some(({ sha256, kind }) => sha256 === by && kind === "eps-v1");
+    const diffuses = this.diffuses(by);
     return html`<label class="turned">
         <input type="checkbox" .checked=${likePicture && !diffuses} ?disabled=${this.locked || diffuses} @change=${(event: Event) => this.studio.options.guideBy({ likePicture: (event.target as HTMLInputElement).checked })} />
         Turned views are to be like the picture
@@ -149,7 +148,7 @@ export class GuidePanel extends Part {
     return html`<div class="by">
       <label>
         Whose idea of the words counts
-        <select ?disabled=${this.locked} @change=${(event: Event) => this.studio.options.guideBy({ by: (event.target as HTMLSelectElement).value })}>
+        <select ?disabled=${this.locked} @change=${(event: Event) => this.choose({ by: (event.target as HTMLSelectElement).value })}>
           <option value=${ICONS} .selected=${by === ICONS}>Small networks that know icons</option>
           ${DENOISER_FILES ? html`<option value=${DENOISER} .selected=${by === DENOISER}>A small diffusion model of ours</option>` : nothing}
           ${this.models.map(({ sha256, name }) => html`<option value=${sha256} .selected=${sha256 === by}>${name}</option>`)}
@@ -206,11 +205,24 @@ export class GuidePanel extends Part {
       : nothing}`;
   }
 
-  /** The weight goes along where nobody chose one. */
   private lookAt(look: "views" | "patches"): void {
-    const { guide } = this;
-    const weight = !guide || guide.weight === usualWeight(guide) ? usualWeight({ look }) : guide.weight;
-    this.studio.options.guideBy({ look, weight, ...(look === "patches" && guide?.neutral === undefined ? { neutral: NEUTRAL } : {}) });
+    this.choose({ look, ...(look === "patches" && this.guide?.neutral === undefined ? { neutral: NEUTRAL } : {}) });
+  }
+
+  /** The weight goes along where nobody chose one. */
+  private choose(change: Partial<Guide>): void {
+    const before = { weight: USUAL_WEIGHT, by: ICONS, ...this.guide };
+    const weight = before.weight === this.usual(before) ? this.usual({ ...before, ...change }) : before.weight;
+    this.studio.options.guideBy({ ...change, weight });
+  }
+
+  private usual({ by, look }: Pick<Guide, "by" | "look">): number {
+    if (this.diffuses(by)) return OF_DIFFUSION;
+    return look === "patches" && !isOurs(by) ? OF_PATCHES : USUAL_WEIGHT;
+  }
+
+  private diffuses(by: string): boolean {
+    return by === DENOISER || this.models.some(({ sha256, kind }) => sha256 === by && kind === "eps-v1");
   }
 
   private readonly hear = ({ detail }: CustomEvent<readonly Facts[]>): void => {
