@@ -205,10 +205,10 @@ it("makes a wire of words alone, and says so", async () => {
   await inspect(page, "made-of-words");
   // They go with a link, and with undo.
   const address = page.url();
-  expect(address).toContain("guide.front=umbrella&guide.top=cat");
+  expect(address).toContain("guide-front=umbrella&guide-top=cat");
   // The wire, two settings, and the last word.
   for (let step = 0; step < 4; step++) await page.getByRole("button", { name: /^Undo/ }).first().click();
-  await expect.poll(() => page.url()).not.toContain("guide.top");
+  await expect.poll(() => page.url()).not.toContain("guide-top");
   const other = await visit(browser, address);
   await other.page.getByText("Words alone will pull the wire.").waitFor();
   await other.page.context().close();

@@ -1,10 +1,10 @@
-/** What guides a run, in an address: `guide.front=umbrella`, a word a view, and what differs from the usual. */
+/** What guides a run, in an address: `guide-front=umbrella`, a word a view, and what differs from the usual. */
 
 import { DENOISER, ICONS, USUAL_WEIGHT, type Guide } from "../../engine/protocol";
 
 type Pairs = Readonly<Record<string, string>>;
 
-const KEY = "guide.";
+const KEY = "guide-";
 const [MOST_LETTERS, MOST_WEIGHT] = [60, 1000];
 
 /** Files of one's own stay here. */

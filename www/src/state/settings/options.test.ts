@@ -92,11 +92,11 @@ it("gives what an address asks for to the task it names, once it is known what t
 });
 
 it("takes from an address what is to guide, of the views that the task has", () => {
-  options.askGuide("stroke", { "guide.front": "cat", "guide.side": "dog", "guide.weight": "1", "guide.by": "0a1b" });
+  options.askGuide("stroke", { "guide-front": "cat", "guide-side": "dog", "guide-weight": "1", "guide-by": "0a1b" });
   expect(doc.desks["stroke"]!.guide).toEqual({ words: { front: "cat" }, weight: 1, by: "icons" });
-  options.askGuide("multiview", { "guide.top": "x", "guide.weight": "NaN" });
+  options.askGuide("multiview", { "guide-top": "x", "guide-weight": "NaN" });
   expect(doc.desks["multiview"]?.guide ?? null).toBeNull();
-  options.askGuide("multiview", { "guide.side": "x".repeat(99), "guide.weight": "NaN", "guide.by": "denoiser" });
+  options.askGuide("multiview", { "guide-side": "x".repeat(99), "guide-weight": "NaN", "guide-by": "denoiser" });
   expect(doc.desks["multiview"]!.guide).toEqual({ words: { side: "x".repeat(60) }, weight: 0.3, by: "denoiser" });
 });
 
