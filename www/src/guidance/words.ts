@@ -11,12 +11,6 @@ import { singularsOf } from "./singulars";
 
 const [MOST_WORDS, MOST_EMBED, MOST_TYPED] = [200_000, 4096, 100];
 
-export interface Likeness {
-  readonly word: string;
-  /** -1 to 1. */
-  readonly cosine: number;
-}
-
 export class Words {
   /** Lower case, and where each stands. */
   private readonly places: ReadonlyMap<string, number>;
@@ -72,17 +66,6 @@ export class Words {
     const misspelt = found.size >= most ? [] : all.map(([other, place]) => [changes(word, other, allowed), place] as const).filter(([n]) => n <= allowed);
     for (const [, place] of misspelt.sort(([a], [b]) => a - b)) found.add(place);
     return [...found].slice(0, most).map((place) => this.words[place]!);
-  }
-
-  /** The words whose vectors are most like one, which need not be a word's; its own word is among them. */
-  like(vector: ArrayLike<number>, most = 8): Likeness[] {
-    const length = Math.sqrt(dot(vector, vector));
-    const all = this.words.map((word, place) => {
-      const row = this.row(place);
-      const lengths = length * Math.sqrt(dot(row, row));
-      return { word, cosine: lengths > 0 ? dot(row, vector) / lengths : 0 };
-    });
-    return all.sort((a, b) => b.cosine - a.cosine).slice(0, most);
   }
 
   private row(place: number): Int8Array {
