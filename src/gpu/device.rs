@@ -100,6 +100,12 @@ impl Device {
         Ok(Device { stages, ..unready })
     }
 
+    /// The browser's own device behind it, for others who compute on the same card. It is lent: nobody else may destroy it.
+    #[cfg(target_arch = "wasm32")]
+    pub fn browser_device(&self) -> Option<wasm_bindgen::JsValue> {
+        self.device.as_webgpu().map(|device| device.clone().into())
+    }
+
     /// What it is.
     pub fn info(&self) -> &DeviceInfo {
         &self.info

@@ -43,6 +43,12 @@ mod device {
         Ok(device)
     }
 
+    /// The browser's device that fits are computed on, if there is one by now: see [`Device::browser_device`].
+    #[cfg(target_arch = "wasm32")]
+    pub fn browser_device() -> Option<wasm_bindgen::JsValue> {
+        page::last().and_then(|device| device.browser_device())
+    }
+
     /// A page asks where fits will be computed before it starts one: that should not cost a device twice. Natively a
     /// device must not outlive its thread, and nobody asks twice.
     #[cfg(target_arch = "wasm32")]
@@ -55,8 +61,15 @@ mod device {
         }
 
         pub fn kept(kind: Kind) -> Option<Device> {
-            let kept = KEPT.with_borrow(Clone::clone);
-            kept.filter(|(of, device)| *of == kind && device.faultless().is_ok()).map(|(_, device)| device)
+            fine().filter(|(of, _)| *of == kind).map(|(_, device)| device)
+        }
+
+        pub fn last() -> Option<Device> {
+            fine().map(|(_, device)| device)
+        }
+
+        fn fine() -> Option<(Kind, Device)> {
+            KEPT.with_borrow(Clone::clone).filter(|(_, device)| device.faultless().is_ok())
         }
 
         pub fn keep(kind: Kind, device: &Device) {
@@ -99,6 +112,8 @@ mod device {
         format!("{}, so the processor does the work.", first.into_iter().chain(letters).collect::<String>())
     }
 }
+#[cfg(all(feature = "gpu", target_arch = "wasm32"))]
+pub use device::browser_device;
 #[cfg(feature = "gpu")]
 use device::{best_engine, device_engine};
 

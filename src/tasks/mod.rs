@@ -13,6 +13,8 @@ mod settings;
 pub mod stroke;
 mod widths;
 
+#[cfg(all(feature = "gpu", target_arch = "wasm32"))]
+pub use engine::browser_device;
 pub use engine::place;
 pub use plan::{Placed, Plan};
 pub use run::Run;

@@ -49,6 +49,14 @@ pub async fn place(backend: String) -> Result<String, JsError> {
     Ok(json(&wire4d::tasks::place(settings.backend).await?))
 }
 
+/// The browser's device (a `GPUDevice`) that fits are computed on, if there is one by now: for others to compute on the same
+/// card. It is lent, and not to be destroyed.
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen(unchecked_return_type = "GPUDevice | undefined")]
+pub fn graphics_device() -> JsValue {
+    wire4d::tasks::browser_device().unwrap_or(JsValue::UNDEFINED)
+}
+
 /// How far the best device, be it a program, is from the processor on a spiral and on hostile wires, as JSON. With a
 /// `skew` other than 1 every comparison must fail.
 #[wasm_bindgen]

@@ -6,12 +6,15 @@ use wire4d::picture::{Because, Picture, Polarity, Reading};
 use wire4d::settings::{self, Settings};
 use wire4d::tasks::Placed;
 use wire4d::tasks::multiview::Drawing;
-use wire4d::view::Image;
+use wire4d::view::{Image, ViewSpec};
 
-/// Drawings for a preview or a run, in the order front, side, top.
+/// Drawings for a preview or a run, in the order front, side, top, and views that are drawn by nobody.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct DrawingSet(Vec<Drawing>);
+pub struct DrawingSet {
+    drawings: Vec<Drawing>,
+    guided: Vec<ViewSpec>,
+}
 
 #[wasm_bindgen]
 impl DrawingSet {
@@ -23,14 +26,24 @@ impl DrawingSet {
 
     /// Adds ink, one byte a pixel, 0 (ground) to 255 (ink), rows from the top.
     pub fn add(&mut self, name: &str, width: usize, height: usize, ink: &[u8]) -> Result<(), JsError> {
-        self.0.push(Drawing::from_ink(name, width, height, ink)?);
+        self.drawings.push(Drawing::from_ink(name, width, height, ink)?);
+        Ok(())
+    }
+
+    /// Adds a view, by its name, for a run to show that is guided there and compared with nothing.
+    pub fn guide(&mut self, view: &str) -> Result<(), JsError> {
+        self.guided.push(view.parse()?);
         Ok(())
     }
 }
 
 impl DrawingSet {
     pub(crate) fn drawings(&self) -> &[Drawing] {
-        &self.0
+        &self.drawings
+    }
+
+    pub(crate) fn guided(&self) -> &[ViewSpec] {
+        &self.guided
     }
 }
 

@@ -1,6 +1,9 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
-use crate::guidance::{Asks, GuidanceFunction, Networks, Vectors, by_words};
+use crate::guidance::{
+    Asks, Contexts, DenoiserObject, DiffusionOptions, EncoderObject, GuidanceFunction, Networks, Vectors, WordsOptions,
+    by_diffusion, by_words,
+};
 use crate::made::{Made, WireData};
 use crate::pictures::{DrawingSet, Ink, ViewTarget};
 use crate::subject::Subject;
@@ -38,7 +41,7 @@ impl Ears<'_> {
 
     fn drawings(&self, drawings: &DrawingSet, settings: &Settings) -> Result<multiview::Plan> {
         self.tell("Finding where the drawings agree…", 0.0);
-        let plan = multiview::plan(drawings.drawings(), settings)?;
+        let plan = multiview::plan_with(drawings.drawings(), drawings.guided(), settings)?;
         plan.notes().iter().for_each(|words| self.note(words));
         Ok(plan)
     }
@@ -74,8 +77,13 @@ impl Run {
     ) -> Result<Run, JsError> {
         let (ears, settings) = (Ears { tell, note }, parse_settings(Task::Multiview, settings)?);
         let plan = ears.drawings(drawings, &settings)?;
-        let share = 100.0 * plan.mean_coverable();
-        let words = format!("Finding a way for the wire… {share:.0}% of the ink can be shown");
+        let words = match drawings.drawings() {
+            [] => "Laying a first ring…".to_owned(),
+            _ => {
+                let share = 100.0 * plan.mean_coverable();
+                format!("Finding a way for the wire… {share:.0}% of the ink can be shown")
+            }
+        };
         ears.tell(&words, 0.0);
         let run = tasks::Run::start_async(plan, &mut |share| {
             ears.tell(&words, share);
@@ -201,9 +209,28 @@ impl Run {
         weight: f32,
         networks: Networks,
         vectors: Vectors,
+        options: Option<WordsOptions>,
     ) -> Result<(), JsError> {
-        let learned = by_words(networks, vectors, self.0.settings().seed)?;
+        let options = options.map_or(JsValue::UNDEFINED, JsValue::from);
+        let learned = by_words(networks, vectors, &options, &self.0)?;
         self.0.guide_by(name, weight, Box::new(learned));
+        Ok(())
+    }
+
+    /// [`Run::set_guidance`] by a diffusion model, whose latents `encoder` makes: each view becomes what the model thinks that
+    /// its context is of.
+    #[wasm_bindgen(js_name = guideByDiffusion)]
+    pub fn guide_by_diffusion(
+        &mut self,
+        name: &str,
+        weight: f32,
+        denoiser: DenoiserObject,
+        encoder: EncoderObject,
+        contexts: Contexts,
+        options: DiffusionOptions,
+    ) -> Result<(), JsError> {
+        let distilled = by_diffusion(denoiser, encoder, contexts, options, self.0.settings().seed)?;
+        self.0.guide_by(name, weight, Box::new(distilled));
         Ok(())
     }
 
@@ -236,13 +263,17 @@ impl Run {
         self.session().total()
     }
 
-    /// Mean over the views of how far each is from its target, as last seen; not a number before the first iteration.
+    /// Mean over the views of how far each is from its target, as last seen; not a number before the first iteration. Of views
+    /// that nothing is drawn of, the whole loss.
     #[wasm_bindgen(getter)]
     pub fn loss(&self) -> f32 {
-        let views = self.session().problem().targets.len();
+        // What a task adds while it runs is compared, too.
+        let is_compared = |&view: &usize| view >= self.target_count() || self.0.is_compared(view);
+        let views: Vec<usize> = (0..self.session().problem().targets.len()).filter(is_compared).collect();
         let last = self.session().history().rows().next_back();
         // Columns: total, each view's, the wire's own.
-        last.map_or(f32::NAN, |row| row[1..=views].iter().sum::<f32>() / views as f32)
+        let mean = |row: &[f32]| views.iter().map(|view| row[1 + view]).sum::<f32>() / views.len() as f32;
+        last.map_or(f32::NAN, |row| if views.is_empty() { row[0] } else { mean(row) })
     }
 
     /// The wire as it is now.

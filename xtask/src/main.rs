@@ -20,6 +20,7 @@ mod test;
 mod tube;
 mod types;
 mod wasm;
+mod words;
 
 use std::process::ExitCode;
 
@@ -45,6 +46,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "tables", options: "[--quick] [--only NAME]", help: tables::HELP, run: tables::run },
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
     Verb { name: "types", options: "", help: types::HELP, run: types::run },
+    Verb { name: "words", options: "[three] [--denoise F] [--only W]", help: words::HELP, run: words::run },
 ];
 
 fn main() -> ExitCode {

@@ -5,7 +5,7 @@ use super::{named, trouble, vocabulary};
 use clap::ArgMatches;
 use std::path::PathBuf;
 use wire4d::metrics::{AskedReport, DistillationReport};
-use wire4d::objective::{Annealing, Denoiser, Distilled, Encoder};
+use wire4d::objective::{Annealing, Denoiser, Distilled, Encoder, Look};
 use wire4d::tasks::Run;
 use wire4d::{Error, Result};
 use wire4d_guidance::{Contexts, OnnxDenoiser, OnnxEncoder};
@@ -79,6 +79,8 @@ impl Distilling {
             encoder: self.encoder.clone().map(|encoder| Box::new(encoder) as Box<dyn Encoder>),
             diffusion: self.denoiser.diffusion().clone(),
             annealing: self.annealing,
+            // Each look costs two runs of an encoder.
+            look: if self.encoder.is_some() { Look::Whole } else { Look::WORDS },
             prompts: fitted(run).iter().map(prompt).collect::<Result<_>>()?,
             scale: self.scale,
             clamp: f32::INFINITY,

@@ -39,10 +39,13 @@ afterEach(() => {
 
 it("ends a run, and asks a fresh worker what else was asked", async () => {
   const settings = client.call("settings", { tasks: [] });
-  const run = client.callEndable("run", { task: "knit", work: null, settings: {}, from: null, guide: null });
+  const run = client.callEndable("run", { task: "knit", work: null, settings: {}, from: null, first: null, guide: null });
   const open = client.call("open", { code: "AB" });
   const first = worker();
+  const news: string[] = [];
+  client.listen((told) => news.push(told.news));
   client.cancel();
+  expect(news).toEqual(["fresh"]);
   await expect(run).rejects.toBeInstanceOf(Cancelled);
   expect(first.ended).toBe(true);
   expect(worker().asked.map(({ call }) => call)).toEqual(["settings", "open"]);

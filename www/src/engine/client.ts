@@ -85,7 +85,7 @@ export class EngineClient {
     worker.onmessage = ({ data }: MessageEvent<Answer | News>) => {
       heard = true;
       if ("news" in data) {
-        for (const listener of this.listeners) listener(data);
+        this.tell(data);
         return;
       }
       const call = this.waiting.get(data.id);
@@ -112,6 +112,11 @@ export class EngineClient {
     this.worker = null;
     const owed = [...this.waiting.values()];
     this.waiting.clear();
+    this.tell({ news: "fresh" });
     return owed;
+  }
+
+  private tell(news: News): void {
+    for (const listener of this.listeners) listener(news);
   }
 }

@@ -1,10 +1,22 @@
 /** The main wasm module in the page's own words: what tasks share of it. Only for the worker. */
 
 import type { WireShape } from "../embed/shape";
-import type { GuidanceNetwork } from "./wasm/wire4d";
+import type { DiffusionOptions, GuidanceDenoiser, GuidanceEncoder, GuidanceNetwork, WordsOptions } from "./wasm/wire4d";
 import type { Backend, ExportArguments, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
+
+export type { WordsOptions };
+
+/** A diffusion model with its encoder, where it has one, and its context of no words. */
+export interface Diffusing extends Pick<DiffusionOptions, "schedule"> {
+  readonly denoiser: GuidanceDenoiser;
+  readonly encoder: GuidanceEncoder | null;
+  readonly nothing: Float32Array;
+}
+
+/** How much of the difference between words and nothing counts: of latents as in DreamFusion, of pixels less. */
+const SCALE = { latents: 100, pixels: 7.5 };
 
 export type Bytes = Uint8Array<ArrayBuffer>;
 
@@ -24,8 +36,12 @@ export interface CoreRun {
   frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
   snapshot(): Snapshot & { readonly wire: OwnShape };
   targets(): Target[];
+  /** What people call each view: by the drawing that it shows, wherever that was arranged, or by itself. */
+  pads(): readonly string[];
   /** `weight` times the loss of `networks`, for each of which `vectors` has a unit vector a view, or null. */
-  guideByWords(weight: number, networks: readonly GuidanceNetwork[], vectors: readonly (readonly (Float32Array | null)[])[]): void;
+  guideByWords(weight: number, networks: readonly GuidanceNetwork[], vectors: readonly (readonly (Float32Array | null)[])[], options: WordsOptions): void;
+  /** `weight` times the pull of a diffusion model, for which `contexts` has one a view, or null. */
+  guideByDiffusion(weight: number, model: Diffusing, contexts: readonly (Float32Array | null)[]): void;
   /** Why what was to guide no longer does: a sentence each. */
   troubles(): readonly string[];
   /** The best wire so far, measured. */
@@ -60,6 +76,9 @@ const core = {
 
   place: async (backend: Backend): Promise<Place> => JSON.parse(await wasm.place(backend)) as Place,
 
+  /** The graphics card that runs are computed on, if there is one by now. */
+  card: (): GPUDevice | null => wasm.graphics_device() ?? null,
+
   open: (given: { code: string } | { file: Bytes; name: string }): Finished =>
     taken("code" in given ? wasm.Made.from_share_code(given.code) : wasm.Made.from_file(given.name, given.file), finished),
 
@@ -77,8 +96,8 @@ export function bytesOf({ rgba }: Picture): Uint8Array {
   return new Uint8Array(rgba.buffer, rgba.byteOffset, rgba.byteLength);
 }
 
-/** A run of the core's, as it is pulled here. */
-export function pulled(run: wasm.Run): CoreRun {
+/** A run of the core's, as it is pulled here; `names` are those of what was given for its views. */
+export function pulled(run: wasm.Run, names: readonly string[] = []): CoreRun {
   const frame = () => ({ wire: shape(run.wire()), iteration: run.iteration, iterations: run.iterations, loss: run.loss });
   return {
     get iteration() {
@@ -92,7 +111,12 @@ export function pulled(run: wasm.Run): CoreRun {
     frame,
     snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),
-    guideByWords: (weight, networks, vectors) => run.guideByWords("words", weight, networks, vectors),
+    pads: () => targets(run).map(({ source, view }) => names[source ?? -1] ?? view.name),
+    guideByWords: (weight, networks, vectors, options) => run.guideByWords("words", weight, networks, vectors, options),
+    guideByDiffusion(weight, { denoiser, encoder, schedule, nothing }, contexts) {
+      const told = contexts.map((context) => context && { context, nothing });
+      run.guideByDiffusion("words", weight, denoiser, encoder, told, { schedule, scale: encoder ? SCALE.latents : SCALE.pixels });
+    },
     troubles: () => run.guidanceTroubles(),
     finish: () => taken(run.finish(), finished),
     free: () => run.free(),

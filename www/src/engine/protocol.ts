@@ -162,8 +162,11 @@ export interface ExportArguments {
   readonly view: string;
 }
 
-/** Of a guide: the small networks that come with the page. */
+/** Of a guide: the small networks that come with the page, and its small diffusion model. */
 export const ICONS = "icons";
+export const DENOISER = "denoiser";
+/** What words weigh where nobody says. */
+export const USUAL_WEIGHT = 0.3;
 
 /** Words that guide a run beside its pictures. */
 export interface Guide {
@@ -171,8 +174,14 @@ export interface Guide {
   readonly words: Readonly<Record<string, string>>;
   /** Against the pictures' own loss, from 0. */
   readonly weight: number;
-  /** Whose idea of the words counts: `ICONS`, or the sha256 of a file of one. */
+  /** Whose idea of the words counts: `ICONS`, `DENOISER`, or the sha256 of a file of one. */
   readonly by: string;
+  /** Whether a network of one's own looks at whole views, as where nothing is said, or at patches of them. */
+  readonly look?: "views" | "patches";
+  /** Whether views beside the first one are to be like its picture, where they have no words. */
+  readonly likePicture?: boolean;
+  /** What patches are to differ from as from words to words: words that say nothing; without, they become like the view's own. */
+  readonly neutral?: string;
 }
 
 /** What the page can ask for: arguments and answer by name. A task adds its own, in its folder. */
@@ -181,8 +190,8 @@ export interface Calls {
   settings: { arguments: { tasks: readonly string[] }; answer: SettingsTables };
   /** Where a run with this setting would be computed; refused with a sentence if that cannot be. May take a second or two. */
   place: { arguments: { backend: Backend }; answer: Place };
-  /** Answered when the run has ended by itself or was stopped. `work` is as the task's engine takes it, `from` a checkpoint of a run of the same. */
-  run: { arguments: { task: string; work: unknown; settings: SettingValues; from: Blob | null; guide: Guide | null }; answer: Finished };
+  /** Answered when the run has ended by itself or was stopped. `work` is as the task's engine takes it, `from` a checkpoint of a run of the same, `first` that one's first wire. */
+  run: { arguments: { task: string; work: unknown; settings: SettingValues; from: Blob | null; first: WireShape | null; guide: Guide | null }; answer: Finished };
   /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */
@@ -221,6 +230,8 @@ export type News =
   | { news: "notice"; words: string }
   /** Of what is asked before a run, and takes a while. */
   | { news: "share"; share: number }
+  /** The page's own: the worker was ended, and nothing is open in the next one. */
+  | { news: "fresh" }
   /** Of a network that is being opened. */
   | { news: "guidance"; words: string; share: number }
   /** When a run starts, and when it changes on the way. */

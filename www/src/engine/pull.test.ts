@@ -33,7 +33,9 @@ function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0, waitMs = 0)
     frame: () => ({ wire: wire(), iteration: run.iteration, iterations, loss: 1 }),
     snapshot: () => ((clock += snapshotMs), { ...run.frame(), checkpoint: new Blob() }),
     targets: () => [],
+    pads: () => [],
     guideByWords: () => undefined,
+    guideByDiffusion: () => undefined,
     troubles: () => [],
     finish: () => {
       throw new Error("not in this test");

@@ -1,5 +1,6 @@
 /** Answers the page's calls, one worker a page. It keeps the run under way. */
 
+import type { WireShape } from "../embed/shape";
 import { openShareCode } from "../embed/share/code";
 import { loaded, type CoreRun } from "./core";
 import type { Answer, Calls, Control, Finished, Guide, News, Request } from "./protocol";
@@ -29,13 +30,14 @@ const handlers: Handlers = {
 
 const notice = (words: string): void => tell({ news: "notice", words });
 
-/** Whatever is wrong with what was to guide it: the run goes on without. */
-async function guideBy(session: CoreRun, guide: Guide, told: Ears["tell"]): Promise<void> {
+/** Whatever is wrong with what was to guide it: the run goes on without, if anything is drawn at all. */
+async function guideBy(run: CoreRun, guide: Guide, first: WireShape | null, told: Ears["tell"]): Promise<void> {
   try {
     const { guideByWords } = await import("./guiding");
-    await guideByWords(session, guide, told, notice);
+    await guideByWords({ run, guide, first, tell: told, notice, service: guidance });
   } catch (error) {
     console.error(error);
+    if (run.targets().every(({ source }) => source === null)) throw error;
     notice(`${error instanceof Error ? error.message : "What was to guide it could not be loaded."} The wire goes on without it.`);
   }
 }
@@ -43,14 +45,18 @@ async function guideBy(session: CoreRun, guide: Guide, told: Ears["tell"]): Prom
 /** Comes when somebody asks for it. */
 async function guidance(): Promise<typeof import("../guidance/service")> {
   try {
-    return await import("../guidance/service");
+    const service = await import("../guidance/service");
+    // Without the core there is no card of its own.
+    const core = await loaded().catch(() => null);
+    service.lend(() => core?.card() ?? null);
+    return service;
   } catch (error) {
     console.error(error);
     throw new Error("The part of the engine that opens models could not be loaded. Check the connection and try again.");
   }
 }
 
-async function run({ task, work, settings, from, guide }: Calls["run"]["arguments"]): Promise<Finished> {
+async function run({ task, work, settings, from, first, guide }: Calls["run"]["arguments"]): Promise<Finished> {
   if (pull) throw new Error("A run is under way already; stop it first.");
   // Made before the core is loaded: it hears a stop that comes meanwhile.
   const mine = (pull = new Pull(tell));
@@ -64,7 +70,7 @@ async function run({ task, work, settings, from, guide }: Calls["run"]["argument
     const session = await engine.start(work, settings, checkpoint, ears);
     try {
       tell({ news: "targets", targets: session.targets() });
-      if (guide) await guideBy(session, guide, ears.tell);
+      if (guide) await guideBy(session, guide, first, ears.tell);
       await mine.toTheEnd(session, from !== null);
       session.troubles().forEach(notice);
       tell({ news: "progress", words: "Measuring the wire…", share: 1 });

@@ -100,6 +100,22 @@ export class Fields {
       : this.fail(`'${name}' must be ${count} finite numbers.`);
   }
 
+  /** So many finite float32, the lowest byte first, in base64. */
+  floats(name: string, count: number): Float32Array<ArrayBuffer> {
+    const value = this.maybe(name);
+    const fail = (): never => this.fail(`'${name}' must be ${count} finite numbers of 32 bits in base64.`);
+    if (typeof value !== "string" || value.length !== 4 * Math.ceil((4 * count) / 3)) return fail();
+    try {
+      const bytes = Uint8Array.from(atob(value), (letter) => letter.charCodeAt(0));
+      if (bytes.length !== 4 * count) fail();
+      const view = new DataView(bytes.buffer);
+      const floats = Float32Array.from({ length: count }, (_, i) => view.getFloat32(4 * i, true));
+      return floats.every(Number.isFinite) ? floats : fail();
+    } catch {
+      return fail();
+    }
+  }
+
   texts(name: string, most: number): readonly string[] {
     const values = this.values(name, most);
     return values.every(isText) ? values : this.fail(`'${name}' must be texts of at most ${MOST_NAME} characters.`);

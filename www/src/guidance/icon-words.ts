@@ -9,9 +9,23 @@ import { Words } from "./words";
 
 const MOST_BYTES = 8e6;
 
+/** What to say instead of a word that is not known. */
+export const PLAINER = "Try a plainer word for it.";
+
 /** The words that guide, most like what was typed first. */
 export async function suggested(typed: string, most = 6): Promise<readonly string[]> {
   return (await wordTable()).meant(typed, most);
+}
+
+/** What a word is taken for, or that it is not known, a sentence; empty where it is in the table. */
+export async function takenFor(word: string): Promise<string> {
+  try {
+    const [first] = await suggested(word, 1);
+    if (first === undefined) return `“${word}” is no word that these networks know. ${PLAINER}`;
+    return first.toLowerCase() === word.toLowerCase() ? "" : `Taken for “${first}”.`;
+  } catch (error) {
+    return (error as GuidanceError).message;
+  }
 }
 
 let read: Promise<Words> | null = null;

@@ -4,38 +4,21 @@ import aModel from "../../../tools/iconnet/weights/iconnet-a.onnx?url";
 import aSidecar from "../../../tools/iconnet/weights/iconnet-a.json?url";
 import bModel from "../../../tools/iconnet/weights/iconnet-b.onnx?url";
 import bSidecar from "../../../tools/iconnet/weights/iconnet-b.json?url";
-import { fetched } from "./fetching";
-import { textAt, wordTable } from "./icon-words";
-import { openModel, type Model } from "./model";
+import { PLAINER, wordTable } from "./icon-words";
+import type { Model } from "./model";
 import { networkOf, type Readers } from "./readers";
-import { readSidecar } from "./sidecar";
+import { once, opened } from "./shipped";
 
-const MOST_BYTES = 8e6;
-
-let known: Promise<Readers> | null = null;
-
-/** A failure is forgotten, so that the next run tries again. */
-export function icons(progress: (share: number) => void): Promise<Readers> {
-  known ??= open(progress).catch((error: unknown) => {
-    known = null;
-    throw error;
-  });
-  return known;
-}
-
-async function open(progress: (share: number) => void): Promise<Readers> {
+export const icons = once(async (progress): Promise<Readers> => {
   const words = await wordTable();
   const models: Model<"guidance-v1">[] = [];
   for (const [name, model, sidecar] of [["iconnet-a", aModel, aSidecar], ["iconnet-b", bModel, bSidecar]] as const) {
-    const share = (part: number): void => progress((models.length + part) / 2);
-    const described = readSidecar(await textAt(sidecar, `${name}.json`), `${name}.json`);
-    const bytes = await fetched(model, { name, most: MOST_BYTES, exactly: described.bytes, progress: (part) => share(0.5 * part) });
     // They are too small for a card: it would wait for its orders most of the time.
-    models.push((await openModel({ file: name, bytes, sidecar: described }, { prefer: "wasm", progress: (_, part) => share(0.5 + 0.5 * part) })) as Model<"guidance-v1">);
+    models.push(await opened({ kind: "guidance-v1", name, model, sidecar, prefer: "wasm" }, (part) => progress((models.length + part) / 2)));
   }
   return {
     networks: models.map(networkOf),
-    vector: async (text) => words.vector(text) ?? words.vector(words.meant(text, 1)[0] ?? ""),
-    instead: () => "Try a plainer word for it.",
+    vector: async (text) => words.meaning(text),
+    instead: () => PLAINER,
   };
-}
+});

@@ -5,7 +5,7 @@ import { count, portFaults, sized, type Answers, type Asked, type Kind } from ".
 import { briefly, GuidanceError, size } from "./fault";
 import { memoryOf, refuseTooLarge } from "./memory";
 import { outlineOf } from "./onnx";
-import { graphicsCard, runtimeFor, type Provider, type Runtime, type Session } from "./runtime";
+import { graphicsCard, runtimeFor, type Card, type Provider, type Runtime, type Session } from "./runtime";
 import { isFinite, selftestFault, type Numbers } from "./selftest";
 import type { Sidecar } from "./sidecar";
 
@@ -19,6 +19,8 @@ export interface ModelFiles {
 export interface Opening {
   /** What it should be computed with; where that fails its self-test, it is the processor. */
   readonly prefer: Provider;
+  /** A graphics card that is in use already, if there is one. */
+  readonly card?: GPUDevice | null;
   /** What is being done, and how far that is, 0 to 1. */
   progress?(words: string, share: number): void;
   /** Gives up between two steps, with an AbortError; nothing stays open. */
@@ -121,13 +123,13 @@ async function ask(session: Session, { contract }: Sidecar, asked: Readonly<Reco
  * Opens a network: is it whole and the one that its sidecar describes, does it fit into memory, does it keep its contract, and
  * is it computed rightly here? A GuidanceError says what is not so.
  */
-export async function openModel(files: ModelFiles, { prefer, progress = () => undefined, signal }: Opening): Promise<Model> {
+export async function openModel(files: ModelFiles, { prefer, card: lent = null, progress = () => undefined, signal }: Opening): Promise<Model> {
   const { sidecar } = files;
   refuseTooLarge(files.file, sidecar);
   progress("Checking the file…", 0);
   await checkFile(files);
   signal?.throwIfAborted();
-  const card = prefer === "webgpu" ? await graphicsCard() : null;
+  const card = prefer === "webgpu" ? await graphicsCard(lent) : null;
   let provider: Provider = card ? "webgpu" : "wasm";
   let note = provider === prefer ? null : "This browser gives no graphics card, so the processor is used.";
   const runtime = await runtimeFor(provider, (share) => progress("Fetching the guidance runtime…", share), signal);
@@ -151,7 +153,7 @@ export async function openModel(files: ModelFiles, { prefer, progress = () => un
 }
 
 /** A session that keeps the contract and passes the self-test. */
-async function opened(runtime: Runtime, card: GPUDevice | null, { file, bytes, sidecar }: ModelFiles, progress: (words: string, share: number) => void): Promise<Session> {
+async function opened(runtime: Runtime, card: Card | null, { file, bytes, sidecar }: ModelFiles, progress: (words: string, share: number) => void): Promise<Session> {
   const fail = (what: string): never => {
     throw new GuidanceError(file, `“${file}” ${what}`);
   };

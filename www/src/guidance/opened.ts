@@ -8,6 +8,8 @@ import type { Tokenizer } from "./tokenizer";
 export interface OpenModel {
   readonly model: Model;
   readonly tokenizer: Tokenizer | null;
+  /** A text of contexts-v1, of a diffusion model. */
+  readonly contexts: string | null;
   readonly prefer: Provider;
 }
 

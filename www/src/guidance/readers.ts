@@ -16,13 +16,17 @@ export interface Network {
   }>;
 }
 
-export interface Readers {
-  /** All of one space of vectors. */
-  readonly networks: readonly Network[];
-  /** Unit; null for words that they do not know. */
-  vector(words: string): Promise<Float32Array | null>;
+/** Whoever knows words. */
+export interface Knowing {
+  /** Unit, but for a diffusion model; null for words that are not known. */
+  vector(words: string): Promise<Floats | null>;
   /** What might be said instead, a sentence or nothing. */
   instead(words: string): string;
+}
+
+export interface Readers extends Knowing {
+  /** All of one space of vectors. */
+  readonly networks: readonly Network[];
 }
 
 /** A model as the core calls it. */

@@ -59,14 +59,22 @@ async function load(provider: Provider, progress: (share: number) => void, signa
   }
 }
 
+/** A graphics card to compute on. */
+export interface Card {
+  readonly device: GPUDevice;
+  /** Whether others compute on it too: then it is not ours to destroy. */
+  readonly lent: boolean;
+}
+
 /** Of what a card can do, what makes the runtime faster. */
 const FEATURES: readonly GPUFeatureName[] = ["shader-f16", "subgroups", "timestamp-query"];
 
 /**
- * A graphics card with all that it can hold; null where there is none. Asked for here, for onnxruntime waits for ever for one
- * that is refused.
+ * The card that `lent` says is in use already, else one with all that it can hold; null where there is none. Asked for here, for
+ * onnxruntime waits for ever for one that is refused.
  */
-export async function graphicsCard(): Promise<GPUDevice | null> {
+export async function graphicsCard(lent: GPUDevice | null): Promise<Card | null> {
+  if (lent) return { device: lent, lent: true };
   const { gpu } = navigator as { readonly gpu?: GPU };
   try {
     const adapter = await gpu?.requestAdapter({ powerPreference: "high-performance" });
@@ -74,7 +82,7 @@ export async function graphicsCard(): Promise<GPUDevice | null> {
     const requiredLimits: Record<string, number> = {};
     // They are their prototype's.
     for (const name in adapter.limits) requiredLimits[name] = adapter.limits[name as Exclude<keyof GPUSupportedLimits, "__brand">];
-    return await adapter.requestDevice({ requiredFeatures: FEATURES.filter((feature) => adapter.features.has(feature)), requiredLimits });
+    return { device: await adapter.requestDevice({ requiredFeatures: FEATURES.filter((feature) => adapter.features.has(feature)), requiredLimits }), lent: false };
   } catch (error) {
     console.warn(error);
     return null;
@@ -86,13 +94,13 @@ export class Runtime {
 
   constructor(private readonly ort: Ort) {}
 
-  /** On a card, which it takes over, or the processor. Throws what onnxruntime throws. Cannot be stopped on its way. */
-  async open(bytes: Uint8Array, card: GPUDevice | null): Promise<Session> {
-    const options: InferenceSession.SessionOptions = { executionProviders: [card ? { name: "webgpu", device: card } : "wasm"], logSeverityLevel: 3 };
+  /** On a card, which it takes over unless it is lent, or the processor. Throws what onnxruntime throws. Cannot be stopped on its way. */
+  async open(bytes: Uint8Array, card: Card | null): Promise<Session> {
+    const options: InferenceSession.SessionOptions = { executionProviders: [card ? { name: "webgpu", device: card.device } : "wasm"], logSeverityLevel: 3 };
     try {
       return new Session(await this.inTurn(() => this.ort.InferenceSession.create(bytes, options)), this, card);
     } catch (error) {
-      card?.destroy();
+      giveBack(card);
       throw error;
     }
   }
@@ -114,7 +122,7 @@ export class Session {
   constructor(
     private readonly session: InferenceSession,
     private readonly runtime: Runtime,
-    private readonly card: GPUDevice | null,
+    private readonly card: Card | null,
   ) {}
 
   /** Names, types and shapes as the file has them; any symbol is a batch. */
@@ -136,8 +144,12 @@ export class Session {
 
   async release(): Promise<void> {
     await this.runtime.inTurn(() => this.session.release()).catch((error: unknown) => console.error(briefly(error)));
-    this.card?.destroy();
+    giveBack(this.card);
   }
+}
+
+function giveBack(card: Card | null): void {
+  if (card && !card.lent) card.device.destroy();
 }
 
 function portOf(metadata: InferenceSession.ValueMetadata): Port {

@@ -5,11 +5,12 @@ import { briefly, GuidanceError } from "./fault";
 import { fetched } from "./fetching";
 import { MOST_TEXT } from "./fields";
 import { refuseTooLarge } from "./memory";
-import { factsOf, openModel, type About, type Facts } from "./model";
+import { factsOf, openModel, type About, type Facts, type Model } from "./model";
 import type { Provider } from "./runtime";
 import { Shelf, type Kept, type Texts } from "./shelf";
 import { models, opened } from "./opened";
 import { readSidecar, type Sidecar } from "./sidecar";
+import { diffuserOf, seesPixels, type Diffuser } from "./diffusers";
 import { networkOf, type Readers } from "./readers";
 import { Tokenizer } from "./tokenizer";
 
@@ -39,6 +40,13 @@ const shelf = new Shelf();
 const openings = new Set<AbortController>();
 let last: Promise<unknown> = Promise.resolve();
 
+let lent = (): GPUDevice | null => null;
+
+/** Networks compute on the card that `card` says is in use, where there is one: two devices would take turns, and memory twice. */
+export function lend(card: () => GPUDevice | null): void {
+  lent = card;
+}
+
 /** What a network is, before anything of it is used. */
 export async function look(source: Source): Promise<Facts> {
   return factsOf((await find(source)).sidecar);
@@ -66,13 +74,14 @@ async function openNow(source: Source, prefer: Provider, keep: boolean, progress
   signal.throwIfAborted();
   const { file, sidecar, texts, bytes: read, isKept } = await find(source);
   const tokenizer = texts.tokenizer === null ? null : new Tokenizer(texts.tokenizer, sidecar.tokenizer ?? file);
+  const contexts = texts.contexts ?? null;
   const context = sidecar.contract.inputs[0]!.shape[1];
   if (tokenizer && tokenizer.context !== context) {
     throw new GuidanceError(file, `The tokenizer of “${file}” makes ${tokenizer.context} tokens of a text, and it takes ${context}: it is another model's. Choose the one that was exported with it.`);
   }
   const now = models.get(sidecar.kind);
   if (now?.model.isFine && now.model.about.sha256 === sidecar.sha256 && now.prefer === prefer && (isKept || !keep)) {
-    models.set(sidecar.kind, { ...now, tokenizer });
+    models.set(sidecar.kind, { ...now, tokenizer, contexts });
     return { ...now.model.about, unkept: null };
   }
   refuseTooLarge(file, sidecar);
@@ -80,8 +89,8 @@ async function openNow(source: Source, prefer: Provider, keep: boolean, progress
   await close(sidecar.kind);
   const bytes = await read(progress, signal);
   signal.throwIfAborted();
-  const model = await openModel({ file, bytes, sidecar }, { prefer, progress, signal });
-  models.set(sidecar.kind, { model, tokenizer, prefer });
+  const model = await openModel({ file, bytes, sidecar }, { prefer, card: lent(), progress, signal });
+  models.set(sidecar.kind, { model, tokenizer, contexts, prefer });
   const unkept = keep && !isKept ? await shelf.keep(file, new Blob([bytes]), texts, sidecar.sha256) : null;
   return { ...model.about, unkept };
 }
@@ -116,11 +125,32 @@ export async function kept(drop: string | null): Promise<Kept[]> {
   return shelf.list();
 }
 
-/** A network as a run is guided by it, opened if it is not: by prompts of its own file, or by an open text encoder. */
-export async function readers(sha256: string, progress: (share: number) => void): Promise<Readers> {
-  if (opened("guidance-v1")?.about.sha256 !== sha256) await open({ kept: sha256 }, "webgpu", false, (_, share) => progress(share));
-  const model = opened("guidance-v1");
-  if (!model) throw new GuidanceError("", "That network cannot guide. Choose another, or take the small one that comes with the page.");
+/** What guides a run, opened if it is not. */
+export async function guiding(sha256: string, progress: (share: number) => void): Promise<Readers | Diffuser> {
+  const isOpen = ({ model }: { readonly model: Model }): boolean => model.isFine && model.about.sha256 === sha256;
+  if (![...models.values()].some(isOpen)) await open({ kept: sha256 }, "webgpu", false, (_, share) => progress(share));
+  const { model, contexts } = [...models.values()].find(isOpen)!;
+  switch (model.about.kind) {
+    case "guidance-v1":
+      return readers(model as Model<"guidance-v1">);
+    case "eps-v1":
+      return diffuserOf(model as Model<"eps-v1">, seesPixels(model as Model<"eps-v1">) ? null : await encoder(progress), contexts);
+    default:
+      throw new GuidanceError("", "That network cannot guide. Choose another, or take the small ones that come with the page.");
+  }
+}
+
+/** The encoder that is open, or the newest that is kept. */
+async function encoder(progress: (share: number) => void): Promise<Model<"vjp-v1">> {
+  const kept = opened("vjp-v1")?.isFine ? null : (await shelf.list()).find(({ kind }) => kind === "vjp-v1");
+  if (kept) await open({ kept: kept.sha256 }, "webgpu", false, (_, share) => progress(share));
+  const model = opened("vjp-v1");
+  if (!model) throw new GuidanceError("", "The diffusion model sees pictures through an encoder, and none is open. Open its encoder, too.");
+  return model;
+}
+
+/** By prompts of its own file, or by an open text encoder. */
+function readers(model: Model<"guidance-v1">): Readers {
   const { embeddings } = model.sidecar;
   const texts = models.get("text-v1");
   return {
@@ -142,8 +172,8 @@ function find(source: Source): Promise<Found> {
 async function onShelf(sha256: string): Promise<Found> {
   const found = await shelf.find(sha256);
   if (!found) throw new GuidanceError("", "The model is not kept any more. Choose its files again.");
-  const { file, parsed, bytes, sidecar, tokenizer } = found;
-  return { file, sidecar: parsed, texts: { sidecar, tokenizer }, bytes, isKept: true };
+  const { file, parsed, bytes, sidecar, tokenizer, contexts = null } = found;
+  return { file, sidecar: parsed, texts: { sidecar, tokenizer, contexts }, bytes, isKept: true };
 }
 
 /** Which file is which is told by what is in it. */
@@ -153,8 +183,9 @@ async function inFiles(files: readonly File[]): Promise<Found> {
   if (!model) throw new GuidanceError("", "There is no model among these files. Choose the .onnx and the .json that lies beside it.");
   const texts: { readonly name: string; readonly text: string }[] = [];
   for (const file of files.filter(isText)) if (file.size <= MOST_TEXT) texts.push({ name: file.name, text: await file.text() });
-  const tokenizer = texts.find(({ text }) => /"kind":\s*"clip-bpe"/.test(text.slice(0, 1000)));
-  const sidecar = texts.find((text) => text !== tokenizer);
+  const known = (kind: string): (typeof texts)[number] | undefined => texts.find(({ text }) => new RegExp(`"kind":\\s*"${kind}"`).test(text.slice(0, 1000)));
+  const [tokenizer, contexts] = [known("clip-bpe"), known("contexts-v1")];
+  const sidecar = texts.find((text) => text !== tokenizer && text !== contexts);
   if (!sidecar) throw new GuidanceError(model.name, `“${model.name}” lacks its description. Choose the .json that lies beside it, too.`);
   const read = async (tell: Tell): Promise<Uint8Array<ArrayBuffer>> => {
     tell("Reading the file…", 0);
@@ -167,7 +198,7 @@ async function inFiles(files: readonly File[]): Promise<Found> {
   return {
     file: model.name,
     sidecar: readSidecar(sidecar.text, sidecar.name),
-    texts: { sidecar: sidecar.text, tokenizer: tokenizer?.text ?? null },
+    texts: { sidecar: sidecar.text, tokenizer: tokenizer?.text ?? null, contexts: contexts?.text ?? null },
     bytes: read,
     isKept: false,
   };

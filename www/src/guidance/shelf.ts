@@ -4,10 +4,11 @@ import { GuidanceError, size } from "./fault";
 import { factsOf, type Facts } from "./model";
 import { readSidecar, type Sidecar } from "./sidecar";
 
-/** A model's texts: its description, and its tokenizer where it has one. */
+/** A model's texts: its description, and its tokenizer or its contexts where it has them. */
 export interface Texts {
   readonly sidecar: string;
   readonly tokenizer: string | null;
+  readonly contexts?: string | null;
 }
 
 /** What is kept of a model besides its file. */

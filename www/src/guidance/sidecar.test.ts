@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { expect, it } from "vitest";
 import { GuidanceError } from "./fault";
 import { mix } from "./noise";
-import { readSidecar } from "./sidecar";
+import { readSidecar, USUAL_SCHEDULE } from "./sidecar";
 
 type Json = { [key: string]: unknown };
 
@@ -50,6 +50,30 @@ it("reads masks and depths", () => {
     expect(fault(sidecar)).toBe("");
     expect(fault(changed(sidecar, "image", [24, 1024]))).toMatch(/'image'/);
   }
+});
+
+it("reads what a diffusion model says of its noise and of no words", () => {
+  const port = (...shape: readonly unknown[]) => ({ dtype: "float32", shape: ["batch", ...shape] });
+  const io = { inputs: { x_t: port(1, 4, 4), t: port(), context: port(1, 3) }, outputs: { eps: port(1, 4, 4) } };
+  const { name, origin, licence, weights, bytes, sha256, selftest } = VIT as { [key: string]: unknown; selftest: Json };
+  const seeds = { x_t: { fill: "signed", seed: 1 }, t: { fill: "constant", value: 500 }, context: { fill: "signed", seed: 2 } };
+  const test = { ...selftest, batch: 1, cases: [{ name: "noise", inputs: seeds, outputs: { eps: { values: Array(16).fill(0) } } }] };
+  const sidecar: Json = { kind: "eps-v1", name, origin, licence, weights, bytes, sha256, latent: [1, 4, 4], context: [1, 3], io, selftest: test };
+  const read = (more: Json) => readSidecar(JSON.stringify({ ...sidecar, ...more }), "x.json");
+  expect(read({})).toMatchObject({ schedule: USUAL_SCHEDULE, nothing: null });
+  expect(read({ schedule: { kind: "cosine", steps: 50 } }).schedule).toMatchObject({ kind: "cosine", steps: 50 });
+  expect(read({ schedule: { kind: "linear", steps: 1000, from: 1e-4, to: 0.02 }, nothing: [0, 0, 1] })).toMatchObject({ schedule: { kind: "linear", steps: 1000, from: 1e-4, to: 0.02 }, nothing: Float32Array.of(0, 0, 1) });
+  const WRONG: readonly [Json, RegExp][] = [
+    [{ schedule: 7 }, /'schedule' must be a JSON object/],
+    [{ schedule: { kind: "square", steps: 1000 } }, /'kind' must be one of linear/],
+    [{ schedule: { kind: "cosine", steps: 1e6 } }, /'steps' must be a number from 2 to 10000/],
+    [{ schedule: { kind: "linear", steps: 1000, from: 0, to: 0.02 } }, /'from' must be a number/],
+    [{ schedule: { kind: "linear", steps: 1000, from: 0.5, to: 0.02 } }, /'to' must be a number from 0.5/],
+    [{ schedule: { kind: "scaled-linear", steps: 1000, from: 1e-4, to: 1 } }, /'to'/],
+    [{ nothing: [1, 2] }, /'nothing' must be 3 finite numbers/],
+    [{ nothing: [1, 2, "x"] }, /'nothing'/],
+  ];
+  for (const [more, said] of WRONG) expect(fault({ ...sidecar, ...more }), JSON.stringify(more)).toMatch(said);
 });
 
 it("says which field is wrong", () => {

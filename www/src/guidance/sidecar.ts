@@ -10,6 +10,8 @@ const MOST_CASES = 8;
 const MOST_BATCH = 8;
 /** A self-test that lets more through tells nothing. */
 const LAXEST = { relative: 0.1, absolute: 0.1, cosine: 0.9 };
+/** Of a diffusion model's times, and of how much noise a time adds. */
+const [MOST_STEPS, LEAST_BETA] = [10_000, 1e-9];
 /** What a protobuf, and so a file without external weights, can be. */
 const MOST_BYTES = 2 ** 31;
 
@@ -20,6 +22,17 @@ export interface Prompt {
   /** Unit. */
   readonly vector: Float32Array<ArrayBuffer>;
 }
+
+/** How a diffusion model's noise grows, of `steps` times; `from` and `to` are betas and mean nothing to a cosine. */
+export interface Schedule {
+  readonly kind: "linear" | "scaled-linear" | "cosine";
+  readonly steps: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Stable Diffusion's: of a model that does not say. */
+export const USUAL_SCHEDULE: Schedule = { kind: "scaled-linear", steps: 1000, from: 0.00085, to: 0.012 };
 
 /** How an input is filled. */
 export type Fill =
@@ -59,6 +72,10 @@ export interface Sidecar<K extends Kind = Kind> {
   readonly tokenizer: string | null;
   /** Prompts that need no text encoder. */
   readonly embeddings: readonly Prompt[];
+  /** Of a diffusion model. */
+  readonly schedule: Schedule;
+  /** A diffusion model's context of no words, where it brings that. */
+  readonly nothing: Float32Array<ArrayBuffer> | null;
   readonly selftest: Selftest;
 }
 
@@ -96,6 +113,8 @@ function sidecarOf(all: Fields): Sidecar {
     // A file's name and no path.
     tokenizer: all.maybe("tokenizer") === undefined ? null : all.matching("tokenizer", /^\w[\w.-]{0,199}$/, "the name of a file"),
     embeddings: all.maybe("embeddings") === undefined ? [] : all.list("embeddings", 0, MOST_PROMPTS).map((entry) => prompt(entry, sizes[1]!)),
+    schedule: all.maybe("schedule") === undefined ? USUAL_SCHEDULE : schedule(all.fields("schedule")),
+    nothing: kind !== "eps-v1" || all.maybe("nothing") === undefined ? null : Float32Array.from(all.numbers("nothing", sizes[3]! * sizes[4]!)),
     selftest: selftest(all.fields("selftest"), contract),
   };
 }
@@ -106,6 +125,14 @@ function ports(side: Fields): Port[] {
     const shape = port.values("shape", 8).map((d) => (d === BATCH || (typeof d === "number" && Number.isInteger(d)) ? d : port.fail("'shape' must hold sizes.")));
     return { name, dtype: port.text("dtype"), shape: shape as Shape };
   });
+}
+
+function schedule(all: Fields): Schedule {
+  const kind = all.word("kind", ["linear", "scaled-linear", "cosine"]);
+  const steps = all.whole("steps", 2, MOST_STEPS);
+  if (kind === "cosine") return { ...USUAL_SCHEDULE, kind, steps };
+  const from = all.number("from", LEAST_BETA, 1 - LEAST_BETA);
+  return { kind, steps, from, to: all.number("to", from, 1 - LEAST_BETA) };
 }
 
 function prompt(entry: Fields, embed: number): Prompt {

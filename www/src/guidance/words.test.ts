@@ -37,13 +37,6 @@ it("guesses what was meant", () => {
   expect(words.meant("c", 1)).toHaveLength(1);
 });
 
-it("finds what is alike", () => {
-  const [self, ...others] = words.like(words.vector("cat")!, 4);
-  expect(self!.word).toBe("cat");
-  expect(self!.cosine).toBeCloseTo(1, 6);
-  expect(others.map(({ word }) => word)).toEqual(["cats", "dog", "puppy"]);
-});
-
 it("refuses what is no table", async () => {
   const WRONG: readonly [string, Uint8Array<ArrayBuffer>, RegExp][] = [
     ["{", RAW, /not JSON/],

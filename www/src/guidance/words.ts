@@ -7,14 +7,9 @@
 import { sha256Of } from "./checksum";
 import { GuidanceError } from "./fault";
 import { Fields } from "./fields";
+import { singularsOf } from "./singulars";
 
 const [MOST_WORDS, MOST_EMBED, MOST_TYPED] = [200_000, 4096, 100];
-
-export interface Likeness {
-  readonly word: string;
-  /** -1 to 1. */
-  readonly cosine: number;
-}
 
 export class Words {
   /** Lower case, and where each stands. */
@@ -49,6 +44,11 @@ export class Words {
     return length > 0 ? Float32Array.from(row, (v) => v / length) : null;
   }
 
+  /** Of the word that is most likely meant. */
+  meaning(typed: string): Float32Array<ArrayBuffer> | null {
+    return this.vector(typed) ?? this.vector(this.meant(typed, 1)[0] ?? "");
+  }
+
   /** Words that a person may have meant, likeliest first: the word itself, one or many of it, what begins so, what is misspelt so. */
   meant(typed: string, most = 8): string[] {
     const word = normal(typed);
@@ -66,17 +66,6 @@ export class Words {
     const misspelt = found.size >= most ? [] : all.map(([other, place]) => [changes(word, other, allowed), place] as const).filter(([n]) => n <= allowed);
     for (const [, place] of misspelt.sort(([a], [b]) => a - b)) found.add(place);
     return [...found].slice(0, most).map((place) => this.words[place]!);
-  }
-
-  /** The words whose vectors are most like one, which need not be a word's; its own word is among them. */
-  like(vector: ArrayLike<number>, most = 8): Likeness[] {
-    const length = Math.sqrt(dot(vector, vector));
-    const all = this.words.map((word, place) => {
-      const row = this.row(place);
-      const lengths = length * Math.sqrt(dot(row, row));
-      return { word, cosine: lengths > 0 ? dot(row, vector) / lengths : 0 };
-    });
-    return all.sort((a, b) => b.cosine - a.cosine).slice(0, most);
   }
 
   private row(place: number): Int8Array {
@@ -106,11 +95,7 @@ function numbersOf(word: string): string[] {
   const forms = [`${word}s`, `${word}es`];
   if (word.endsWith("y")) forms.push(`${word.slice(0, -1)}ies`);
   if (/fe?$/.test(word)) forms.push(word.replace(/fe?$/, "ves"));
-  if (word.endsWith("s")) forms.push(word.slice(0, -1));
-  if (word.endsWith("es")) forms.push(word.slice(0, -2));
-  if (word.endsWith("ies")) forms.push(`${word.slice(0, -3)}y`);
-  if (word.endsWith("ves")) forms.push(`${word.slice(0, -3)}f`, `${word.slice(0, -3)}fe`);
-  return forms;
+  return [...forms, ...singularsOf(word)];
 }
 
 /** Letters to put in, take out, exchange or swap until one word is the other; more than `most` where it is more. */

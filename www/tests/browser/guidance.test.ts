@@ -429,3 +429,41 @@ it("says what a model is before it is used, and what there is to do with it", as
   expect(faults).toEqual([]);
   await page.context().close();
 });
+
+it("computes on the very card that runs are computed on, and leaves it alone", async () => {
+  const KEEP_DEVICES = `
+    const request = GPUAdapter.prototype.requestDevice;
+    GPUAdapter.prototype.requestDevice = async function (...given) {
+      const device = await request.apply(this, given);
+      (self.devices ??= []).push(device);
+      return device;
+    };`;
+  const { page, call, open, problem, own } = await engine({ inEngine: KEEP_DEVICES });
+  const devices = async (): Promise<number> => (await own()).evaluate(() => (self as unknown as { devices: unknown[] }).devices.length);
+  expect(await call("place", { backend: "gpu" })).toMatchObject({ backend: "gpu" });
+  const before = await devices();
+  expect(await open(files(), { prefer: "webgpu" })).toMatchObject({ provider: "webgpu", note: null });
+  expect(await devices()).toBe(before);
+  const [image, row] = [f32(new Array(3 * 32 * 32).fill(0.5)), f32(new Array(16).fill(0.25))];
+  const question = { kind: "guidance-v1", inputs: { image, source: row, target: row, weight: f32([1]) } };
+  expect(await problem(call("askGuidance", { question }))).toBe("");
+  await call("closeGuidance", {});
+  // Still the same one, and it is not lost.
+  expect(await call("place", { backend: "gpu" })).toMatchObject({ backend: "gpu" });
+  expect(await devices()).toBe(before);
+  expect(await open(files(), { prefer: "webgpu" })).toMatchObject({ provider: "webgpu" });
+  expect(await devices()).toBe(before);
+  await page.context().close();
+});
+
+it.each([
+  ["eps-tiny", "eps-v1"],
+  ["eps-pixels-tiny", "eps-v1"],
+  ["vjp-tiny", "vjp-v1"],
+])("opens %s on both", async (name, kind) => {
+  const { page, open } = await engine();
+  for (const prefer of ["wasm", "webgpu"] as const) {
+    expect(await open(files(read(`${name}.onnx`), read(`${name}.json`).toString()), { prefer })).toMatchObject({ kind, provider: prefer, note: null });
+  }
+  await page.context().close();
+});

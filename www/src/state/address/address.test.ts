@@ -36,3 +36,10 @@ it("carries the task that is looked at, unless it is the first", () => {
   // What the other task has made is not on the stage.
   expect(addressed("#v=1&w=AB", { ...doc("AB"), task: "stroke" })).toBe("#v=1&job=stroke");
 });
+
+it("carries what guides the next run, but no file of one's own", () => {
+  const guided = (guide: object): Doc => ({ ...BLANK, ...withDesk(BLANK, "multiview", { settings: { seed: "4" }, guide: guide as never }) });
+  expect(addressed("", guided({ words: { front: "a cat", top: "" }, weight: 0.3, by: "icons" }))).toBe("#v=1&seed=4&guide-front=a%20cat");
+  expect(addressed("", guided({ words: { front: "cat" }, weight: 1, by: "0a1b" }))).toBe("#v=1&seed=4&guide-front=cat&guide-weight=1");
+  expect(addressed("", guided({ words: {}, weight: 1, by: "denoiser" }))).toBe("#v=1&seed=4");
+});

@@ -47,3 +47,7 @@ describe("a pasted link", () => {
     expect(fragmentIn(`https://wire.example/#w=${code.slice(0, 90)}.`)).toBe(`#w=${code.slice(0, 90)}`);
   });
 });
+
+it("keeps what guides", () => {
+  expect(fragmentIn("see https://wire.example/#v=1&preset=fast&guide-front=a%20cat&guide-weight=0.5.")).toBe("#v=1&preset=fast&guide-front=a%20cat&guide-weight=0.5");
+});

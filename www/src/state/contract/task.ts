@@ -4,7 +4,7 @@
  */
 
 import type { EngineClient } from "../../engine/client";
-import type { ExportArguments, ViewMeasures } from "../../engine/protocol";
+import type { ExportArguments, Guide, ViewMeasures } from "../../engine/protocol";
 import type { Made } from "../keeping/document";
 import type { Form } from "../keeping/keep";
 import type { Bench } from "./bench";
@@ -68,12 +68,12 @@ export interface Task<Given = unknown, Passing extends object = object, Takes ex
   /** What of it an address can carry. */
   readonly address?: AddressForm<Given>;
   isBlank(given: Given): boolean;
-  /** Whether a wire can be made of it. `closely` when a run is to begin: at a glance, it is asked at every change. */
-  suffices(given: Given, closely?: boolean): boolean;
+  /** Whether a wire can be made of it and of what guides. `closely` when a run is to begin: at a glance, it is asked at every change. */
+  suffices(given: Given, guide: Guide | null, closely?: boolean): boolean;
   /** What people call what they gave. */
   labels(given: Given): readonly string[];
-  /** What is given as the task's engine takes it. */
-  work(given: Given): Promise<unknown>;
+  /** What is given, and what guides, as the task's engine takes it. */
+  work(given: Given, guide: Guide | null): Promise<unknown>;
   example?(engine: EngineClient): Promise<Example<Given>>;
   /** What a wire of a run amounts to, and what to try. */
   verdict(made: Made): string;

@@ -50,6 +50,7 @@ export class Opener {
     if (code !== null) this.go(task);
     this.choose(task);
     this.options.ask(task, settings);
+    void this.recalled.then(() => this.options.askGuide(task, settings));
     if (this.task(task).address) void this.recalled.then(() => this.take(task, given, code));
     return code !== null && this.code(code, task, { source: "link" });
   }
@@ -124,10 +125,11 @@ export class Opener {
     return this.tasks.find((task) => task.name === name)!;
   }
 
-  /** Whether nothing was ever given or made for a task. */
+  /** Whether nothing was ever given, said or made for a task. */
   private untouched(name: string): boolean {
     const { doc } = this.bench;
-    return this.task(name).isBlank(doc.given[name]) && deskOf(doc, name).made === null;
+    const { made, guide } = deskOf(doc, name);
+    return this.task(name).isBlank(doc.given[name]) && !made && !guide;
   }
 
   private go(task: string): void {

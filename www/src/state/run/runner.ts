@@ -54,10 +54,10 @@ export class Runner {
     });
     this.hooks.set({ phase: "preparing", progress: { ...READY, words }, track, looking: null, notes: [] });
     try {
-      const work = await task.work(track.given);
+      const work = await task.work(track.given, track.guide ?? null);
       const decided = await Promise.race([calledOff, backend]);
       if (off || !decided) return null;
-      return await this.engine.callEndable("run", { task: track.task, work, settings: { ...track.settings, backend: decided }, from, guide: track.guide ?? null });
+      return await this.engine.callEndable("run", { task: track.task, work, settings: { ...track.settings, backend: decided }, from, first: track.snapshots[0]?.wire ?? null, guide: track.guide ?? null });
     } catch (error) {
       if (error instanceof Cancelled) return null;
       throw error;

@@ -41,7 +41,8 @@ export class Runs {
     if (busy) return;
     const task = this.task(doc.task);
     const given = doc.given[task.name];
-    if (task.suffices(given, true)) await this.fit(freshTrack(task.name, given, deskOf(doc).settings, deskOf(doc).guide));
+    const { settings, guide } = deskOf(doc);
+    if (task.suffices(given, guide, true)) await this.fit(freshTrack(task.name, given, settings, guide));
     else bench.warn(`${task.words.needs} ${task.words.remedy}`);
   }
 

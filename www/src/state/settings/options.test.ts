@@ -19,8 +19,8 @@ const table = (more: readonly SettingRow[]): SettingsTable => ({ rows: [...rows,
 const tables: SettingsTables = { multiview: table([]), stroke: table([row("roundness", "stroke")]), fill: table([row("density", "surface")]) };
 
 const TASKS = [
-  { name: "multiview", keeps: { settings: [], groups: [] } },
-  { name: "stroke", keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["stroke"] } },
+  { name: "multiview", keeps: { settings: [], groups: [] }, compared: ["front", "side"] },
+  { name: "stroke", keeps: { settings: ["control_points", "min_width", "max_width"], groups: ["stroke"] }, compared: ["front"] },
 ];
 
 let doc: Doc;
@@ -89,4 +89,26 @@ it("gives what an address asks for to the task it names, once it is known what t
   expect(options.all).toEqual({ control_points: "60" });
   look("multiview");
   expect(options.all).toEqual({});
+});
+
+it("takes from an address what is to guide, of the views that the task has", () => {
+  options.askGuide("stroke", { "guide-front": "cat", "guide-side": "dog", "guide-weight": "1", "guide-by": "0a1b" });
+  expect(doc.desks["stroke"]!.guide).toEqual({ words: { front: "cat" }, weight: 1, by: "icons" });
+  options.askGuide("multiview", { "guide-top": "x", "guide-weight": "NaN" });
+  expect(doc.desks["multiview"]?.guide ?? null).toBeNull();
+  options.askGuide("multiview", { "guide-side": "x".repeat(99), "guide-weight": "NaN", "guide-by": "denoiser" });
+  expect(doc.desks["multiview"]!.guide).toEqual({ words: { side: "x".repeat(60) }, weight: 0.3, by: "denoiser" });
+});
+
+it("keeps what guides each task, and nothing where nothing was said", () => {
+  options.say("front", "umbrella");
+  options.guideBy({ weight: 1 });
+  look("stroke");
+  options.say("front", "");
+  expect(doc.desks["stroke"]?.guide).toBeNull();
+  options.say("front", "cat");
+  options.say("front", "");
+  expect(doc.desks["stroke"]!.guide).toBeNull();
+  expect(doc.desks["multiview"]!.guide).toEqual({ words: { front: "umbrella" }, weight: 1, by: "icons" });
+  expect(labels).toEqual(["Guide by words", "Guide by words", "Guide by pictures alone", "Guide by words", "Guide by pictures alone"]);
 });

@@ -1,6 +1,7 @@
 /** The settings of the task that is looked at: what they are, and how they change. */
 
-import type { Guide, SettingsTables, SettingValues } from "../../engine/protocol";
+import { ICONS, USUAL_WEIGHT, type Guide, type SettingsTables, type SettingValues } from "../../engine/protocol";
+import { readGuide } from "./guide-pairs";
 import type { Bench, Settings } from "../contract/bench";
 import { tableOf } from "../contract/state";
 import type { Task } from "../contract/task";
@@ -16,7 +17,7 @@ export class Options implements Settings {
 
   constructor(
     private readonly bench: Omit<Bench, "settings">,
-    private readonly tasks: readonly Pick<Task, "name" | "keeps">[],
+    private readonly tasks: readonly Pick<Task, "name" | "keeps" | "compared">[],
   ) {}
 
   get all(): SettingValues {
@@ -41,10 +42,17 @@ export class Options implements Settings {
     this.put(label, table ? known(next, table) : next, kind);
   }
 
-  /** Words that guide the next runs; null for none. */
-  guideBy(guide: Guide | null): void {
+  /** Changes what guides the next runs; as long as nothing was said of it, there is none. */
+  guideBy(change: Partial<Guide>): void {
     const { doc } = this.bench;
-    this.bench.edit(guide ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide }), "guide");
+    const guide: Guide = { words: {}, weight: USUAL_WEIGHT, by: ICONS, ...deskOf(doc).guide, ...change };
+    const isSaid = guide.by !== ICONS || guide.weight !== USUAL_WEIGHT || guide.likePicture || Object.values(guide.words).some(Boolean);
+    this.bench.edit(isSaid ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide: isSaid ? guide : null }), "guide");
+  }
+
+  /** A word for a view; empty for none. */
+  say(view: string, word: string): void {
+    this.guideBy({ words: { ...deskOf(this.bench.doc).guide?.words, [view]: word } });
   }
 
   reset(): void {
@@ -56,6 +64,13 @@ export class Options implements Settings {
     this.asked = { task, settings };
     const { tables } = this.bench.store.get();
     if (tables) this.learn(tables);
+  }
+
+  /** What an address says is to guide; it waits for nothing. */
+  askGuide(task: string, pairs: SettingValues): void {
+    const { project } = this.bench;
+    const guide = readGuide(pairs, this.tasks.find(({ name }) => name === task)?.compared ?? []);
+    if (guide) project.replace(withDesk(project.doc, task, { guide }));
   }
 
   learn(tables: SettingsTables): void {

@@ -1,5 +1,6 @@
 /** What a person gives: a drawing a pad. Immutable, without elements. */
 
+import type { Guide } from "../../engine/protocol";
 import { isBlank, type Paper } from "./paper";
 
 /** The pads, in the run's order. */
@@ -24,4 +25,10 @@ export function sheetsOf(papers: Papers): readonly Sheet[] {
     const paper = papers[slot];
     return paper && !isBlank(paper) ? [{ slot, paper }] : [];
   });
+}
+
+/** The pads that have a word and nothing drawn; a blank sheet is nothing when looked at closely. */
+export function guidedAlone(papers: Papers, guide: Guide | null, closely = false): readonly Slot[] {
+  const isDrawn = (paper: Paper | null): boolean => (closely ? !isBlank(paper) : paper !== null);
+  return SLOTS.filter((slot) => guide && guide.weight > 0 && guide.words[slot] && !isDrawn(papers[slot]));
 }

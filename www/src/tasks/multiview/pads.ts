@@ -1,10 +1,11 @@
 /** What people do with the pads. */
 
 import { asSentence, explain } from "../../state/common/words";
+import type { Guide } from "../../engine/protocol";
 import type { Bench } from "../../state/contract/bench";
 import { givenFor, passingOf, QUIET, type PadState, type TaskState } from "../../state/contract/state";
 import type { Files, Taker } from "../../state/contract/task";
-import { deskOf, withGiven } from "../../state/keeping/document";
+import { deskOf, withDesk, withGiven } from "../../state/keeping/document";
 import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
 import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./paper";
 import { SLOTS, type Papers, type Slot } from "./given";
@@ -99,26 +100,36 @@ export class Pads implements Taker<Papers> {
     this.change(slot, (paper) => turned(paper, quarterTurns), `Turn the ${slot} drawing`);
   }
 
+  /** Their words go along. */
   swap(a: Slot, b: Slot): void {
-    const { papers } = this;
-    this.edit(`Swap ${a} and ${b}`, { [a]: papers[b], [b]: papers[a] });
+    const { papers, words } = this;
+    this.edit(`Swap ${a} and ${b}`, { [a]: papers[b], [b]: papers[a] }, "", { ...words, [a]: words[b] ?? "", [b]: words[a] ?? "" });
   }
 
   clearPad(slot: Slot): void {
-    this.set(slot, null, `Clear the ${slot} pad`);
+    this.show(slot, QUIET);
+    this.edit(`Clear the ${slot} pad`, { [slot]: null }, "", { ...this.words, [slot]: "" });
   }
 
   clear(): void {
-    this.edit("Start with empty pads", this.task.blank);
+    this.edit("Start with empty pads", this.task.blank, "", {});
+  }
+
+  /** What pulls the wire, by pad. */
+  private get words(): Guide["words"] {
+    return deskOf(this.bench.doc, this.task.name).guide?.words ?? {};
   }
 
   private get papers(): Papers {
     return givenFor(this.bench.store.get(), this.task);
   }
 
-  private edit(label: string, change: Partial<Papers>, kind = ""): void {
+  private edit(label: string, change: Partial<Papers>, kind = "", words = this.words): void {
     const { doc } = this.bench;
-    this.bench.edit(label, withGiven(doc, this.task.name, { ...this.papers, ...change }), kind);
+    const { name } = this.task;
+    const { guide } = deskOf(doc, name);
+    const desks = guide && words !== guide.words ? withDesk(doc, name, { guide: { ...guide, words } }) : {};
+    this.bench.edit(label, { ...withGiven(doc, name, { ...this.papers, ...change }), ...desks }, kind);
   }
 
   private change(slot: Slot, how: (paper: Paper) => Paper, label: string): void {

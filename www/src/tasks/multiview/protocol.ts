@@ -22,6 +22,13 @@ export interface Drawing extends Ink {
   readonly name: string;
 }
 
+/** What a run is of. */
+export interface Work {
+  readonly drawings: readonly Drawing[];
+  /** Views that nothing is drawn of: words pull there. */
+  readonly guided: readonly string[];
+}
+
 declare module "../../engine/protocol" {
   interface Calls {
     /** What the core sees in a picture, fitted onto the middle of a square sheet and never stretched. */

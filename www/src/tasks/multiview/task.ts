@@ -4,9 +4,9 @@ import { nextTurn } from "../../state/common/next-turn";
 import { QUIET } from "../../state/contract/state";
 import type { PageTask } from "../../ui/shared/page-task";
 import { drawingOf } from "./paper";
-import { laidOut, NO_PAPERS, sheetsOf, SLOTS, type Papers } from "./given";
+import { guidedAlone, laidOut, NO_PAPERS, sheetsOf, SLOTS, type Papers } from "./given";
 import { NO_PREVIEW } from "./previewer";
-import type { Drawing } from "./protocol";
+import type { Drawing, Work } from "./protocol";
 import { Pads, type Passing } from "./pads";
 import { verdict } from "./verdict";
 
@@ -16,7 +16,7 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
     given: "drawings",
     looking: "Looking at the drawings",
     needs: "A wire needs at least two drawings.",
-    remedy: "Put one into another pad, then press Run.",
+    remedy: "Put one into another pad, or let a word pull there, then press Run.",
     text: "That was text. To make a wire of a word, open a pad, choose Type and write it there.",
   },
   page: {
@@ -50,15 +50,15 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
     whole: (parts) => ({ ...NO_PAPERS, ...parts }),
   },
   isBlank: (papers) => laidOut(papers).length === 0,
-  suffices: (papers, closely = false) => (closely ? sheetsOf(papers) : laidOut(papers)).length >= 2,
+  suffices: (papers, guide, closely = false) => (closely ? sheetsOf(papers) : laidOut(papers)).length + guidedAlone(papers, guide, closely).length >= 2,
   labels: (papers) => sheetsOf(papers).map(({ paper }) => paper.label),
-  async work(papers) {
+  async work(papers, guide): Promise<Work> {
     const drawings: Drawing[] = [];
     for (const { slot, paper } of sheetsOf(papers)) {
       await nextTurn();
       drawings.push(drawingOf(paper, slot));
     }
-    return drawings;
+    return { drawings, guided: guidedAlone(papers, guide, true) };
   },
   example: async (engine) => (await import("./example/example")).example(engine),
   verdict,

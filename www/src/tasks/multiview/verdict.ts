@@ -7,7 +7,7 @@ import { sheetsOf, type Papers } from "./given";
 
 export function verdict(made: Made): string {
   const views = comparedViews(made);
-  if (views.length === 0) return nothingToCompare(made);
+  if (views.length === 0) return isByWords(made) ? "Words alone pulled it, so there is no drawing to compare with. Another seed or word makes another wire." : nothingToCompare(made);
   const worstView = worst(views);
   const subject = subjectOf(made, worstView.name);
   const flaw = flawOf(
@@ -18,6 +18,9 @@ export function verdict(made: Made): string {
   );
   return verdictOf(made, views, praise(views.filter(isGood).map(({ name }) => name), views.length), flaw, advice(made, flaw.kind, worstView));
 }
+
+/** Nothing was drawn of it. */
+const isByWords = ({ track }: Made): boolean => track !== null && track.guide != null && sheetsOf(track.given as Papers).length === 0;
 
 function praise(good: readonly string[], all: number): string {
   if (good.length === all) return all === 2 ? "Both views match well" : "Every view matches well";

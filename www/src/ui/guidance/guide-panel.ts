@@ -1,15 +1,23 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { ICONS, type Guide } from "../../engine/protocol";
-import { suggested } from "../../guidance/icon-words";
-import { explain } from "../../state/common/words";
+import { DENOISER, ICONS, USUAL_WEIGHT, type Guide } from "../../engine/protocol";
+import { DENOISER_FILES } from "../../guidance/denoiser-files";
+import { size } from "../../guidance/fault";
+import { suggested, takenFor } from "../../guidance/icon-words";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
+import { segmented, segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
 import "./model-shelf";
 import type { Facts } from "./model-shelf";
 
-const WEIGHTS = { usual: 0.3, most: 3, step: 0.1 } as const;
+const WEIGHTS = { most: 3, step: 0.1 } as const;
+/** The paper's, for patches; and what a diffusion model takes. */
+const [OF_PATCHES, OF_DIFFUSION] = [0.5, 1];
+const NEUTRAL = "a wire";
+
+/** Whether words are those of the table that comes with the page. */
+const isOurs = (by: string): boolean => by === ICONS || by === DENOISER;
 
 /** Words beside each picture, how strongly they pull, and whose idea of them counts. */
 @customElement("guide-panel")
@@ -25,6 +33,7 @@ export class GuidePanel extends Part {
 
   static override styles = [
     controls,
+    segmentedStyle,
     css`
       :host {
         display: grid;
@@ -43,6 +52,11 @@ export class GuidePanel extends Part {
       .word {
         grid-template-columns: 5em minmax(0, 1fr);
         align-items: center;
+      }
+      .turned {
+        grid-template-columns: auto minmax(0, 1fr);
+        align-items: center;
+        gap: 8px;
       }
       .strength {
         grid-template-columns: minmax(0, 1fr) auto;
@@ -71,16 +85,17 @@ export class GuidePanel extends Part {
         ${views.map((view) => this.word(view))}
         <datalist id="meant">${this.meant.map((word) => html`<option value=${word}></option>`)}</datalist>
       </div>
+      ${views.length === 1 ? this.turned() : nothing}
       <label class="strength">
-        How strongly <output>${guide?.weight ?? WEIGHTS.usual}</output>
+        How strongly <output>${guide?.weight ?? USUAL_WEIGHT}</output>
         <input
           type="range"
           min="0"
           max=${WEIGHTS.most}
           step=${WEIGHTS.step}
-          .value=${String(guide?.weight ?? WEIGHTS.usual)}
+          .value=${String(guide?.weight ?? USUAL_WEIGHT)}
           ?disabled=${this.locked}
-          @change=${(event: Event) => this.change({ weight: Number((event.target as HTMLInputElement).value) })}
+          @change=${(event: Event) => this.studio.options.guideBy({ weight: Number((event.target as HTMLInputElement).value) })}
         />
       </label>
       ${this.who()}
@@ -116,23 +131,30 @@ export class GuidePanel extends Part {
       ${unknown ? html`<p class="small quiet" id="unknown-${view}">${unknown}</p>` : nothing}`;
   }
 
+  /** Of one picture: its other sides. A diffusion model compares no pictures. */
+  private turned() {
+    const { likePicture = false, by = ICONS } = this.guide ?? {};
+    const diffuses = this.diffuses(by);
+    return html`<label class="turned">
+        <input type="checkbox" .checked=${likePicture && !diffuses} ?disabled=${this.locked || diffuses} @change=${(event: Event) => this.studio.options.guideBy({ likePicture: (event.target as HTMLInputElement).checked })} />
+        Turned views are to be like the picture
+      </label>
+      <p class="small quiet">${diffuses ? "A diffusion model compares no pictures: choose networks that do." : "As the networks below see both. Without a word, too."}</p>`;
+  }
+
   /** The networks there are, and what each is. */
   private who() {
     const by = this.guide?.by ?? ICONS;
     return html`<div class="by">
       <label>
         Whose idea of the words counts
-        <select ?disabled=${this.locked} @change=${(event: Event) => this.change({ by: (event.target as HTMLSelectElement).value })}>
+        <select ?disabled=${this.locked} @change=${(event: Event) => this.choose({ by: (event.target as HTMLSelectElement).value })}>
           <option value=${ICONS} .selected=${by === ICONS}>Small networks that know icons</option>
+          ${DENOISER_FILES ? html`<option value=${DENOISER} .selected=${by === DENOISER}>A small diffusion model of ours</option>` : nothing}
           ${this.models.map(({ sha256, name }) => html`<option value=${sha256} .selected=${sha256 === by}>${name}</option>`)}
         </select>
       </label>
-      ${by === ICONS
-        ? html`<p class="small quiet">
-            Two networks of ours, trained on icons: with their words and a runtime about 7 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they
-            were trained on is MIT, ISC, Apache-2.0 or CC0.
-          </p>`
-        : nothing}
+      ${this.about(by)}
       <details>
         <summary class="small">A network of your own</summary>
         <model-shelf .engine=${this.studio.bench.engine} .prefer=${this.state.where.place?.backend === "gpu" ? "webgpu" : "wasm"} @models=${this.hear}></model-shelf>
@@ -140,34 +162,80 @@ export class GuidePanel extends Part {
     </div>`;
   }
 
+  /** What one is and how large, and how it looks where that can be chosen. */
+  private about(by: string) {
+    if (by === ICONS) {
+      return html`<p class="small quiet">
+        Two networks of ours, trained on icons: with their words and a runtime about 7 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they
+        were trained on is MIT, ISC, Apache-2.0 or CC0.
+      </p>`;
+    }
+    if (by === DENOISER && DENOISER_FILES) {
+      return html`<p class="small quiet">
+        It says what it would take from a noisy picture for that to show the word, and the wire follows. Trained by us on the same icons: ${size(DENOISER_FILES.bytes)} besides words and runtime (about 7 MB), fetched
+        when you press Run; it runs on the processor. Licence: as this page.
+      </p>`;
+    }
+    const model = this.models.find(({ sha256 }) => sha256 === by);
+    const what = model ? `${size(model.bytes)}, and about ${size(model.memory)} of memory.` : "It is not here any more: open its files again.";
+    if (model?.kind === "eps-v1") return html`<p class="small quiet">A diffusion model of your own: ${what} Where it sees no pixels, open its encoder, too.</p>`;
+    return html`<p class="small quiet">A network of your own: ${what}</p>
+      ${this.look()}`;
+  }
+
+  private look() {
+    const { look = "views", neutral = "" } = this.guide ?? {};
+    return html`${segmented({
+      legend: "How it looks",
+      name: "look",
+      options: [
+        { value: "views", words: "At whole views" },
+        { value: "patches", words: "At patches" },
+      ],
+      value: look,
+      locked: this.locked,
+      choose: (value) => this.lookAt(value as "views" | "patches"),
+    })}
+    ${look === "patches"
+      ? html`<label>
+            Neutral words
+            <input type="text" maxlength="60" autocomplete="off" .value=${neutral} placeholder="none" ?disabled=${this.locked} aria-describedby="neutral" @change=${(event: Event) => this.studio.options.guideBy({ neutral: (event.target as HTMLInputElement).value.trim() })} />
+          </label>
+          <p class="small quiet" id="neutral">Sixteen patches of each view depart from the first wire as the view’s words differ from these: finer, and slower. With none, each patch is to be like the words.</p>`
+      : nothing}`;
+  }
+
+  private lookAt(look: "views" | "patches"): void {
+    this.choose({ look, ...(look === "patches" && this.guide?.neutral === undefined ? { neutral: NEUTRAL } : {}) });
+  }
+
+  /** The weight goes along where nobody chose one. */
+  private choose(change: Partial<Guide>): void {
+    const before = { weight: USUAL_WEIGHT, by: ICONS, ...this.guide };
+    const weight = before.weight === this.usual(before) ? this.usual({ ...before, ...change }) : before.weight;
+    this.studio.options.guideBy({ ...change, weight });
+  }
+
+  private usual({ by, look }: Pick<Guide, "by" | "look">): number {
+    if (this.diffuses(by)) return OF_DIFFUSION;
+    return look === "patches" && !isOurs(by) ? OF_PATCHES : USUAL_WEIGHT;
+  }
+
+  private diffuses(by: string): boolean {
+    return by === DENOISER || this.models.some(({ sha256, kind }) => sha256 === by && kind === "eps-v1");
+  }
+
   private readonly hear = ({ detail }: CustomEvent<readonly Facts[]>): void => {
-    this.models = detail.filter(({ kind }) => kind === "guidance-v1");
+    this.models = detail.filter(({ kind }) => kind === "guidance-v1" || kind === "eps-v1");
   };
 
-  private change(change: Partial<Guide>): void {
-    const guide = { words: {}, weight: WEIGHTS.usual, by: ICONS, ...this.guide, ...change };
-    const idle = guide.by === ICONS && guide.weight === WEIGHTS.usual && !Object.values(guide.words).some(Boolean);
-    this.studio.options.guideBy(idle ? null : guide);
-  }
-
   private async say(view: string, word: string): Promise<void> {
-    this.change({ words: { ...this.guide?.words, [view]: word } });
-    this.unknown = { ...this.unknown, [view]: word && (this.guide?.by ?? ICONS) === ICONS ? await this.taken(word) : "" };
-  }
-
-  /** What a word is taken for, if it is not what was typed. */
-  private async taken(word: string): Promise<string> {
-    try {
-      const [first] = await suggested(word, 1);
-      if (!first) return "Not a word that these networks know. Try a plainer one.";
-      return first.toLowerCase() === word.toLowerCase() ? "" : `Taken for “${first}”.`;
-    } catch (error) {
-      return explain(error, "The table of words");
-    }
+    this.studio.options.say(view, word);
+    this.unknown = { ...this.unknown, [view]: word && isOurs(this.guide?.by ?? ICONS) ? await takenFor(word) : "" };
   }
 
   private async suggest(typed: string): Promise<void> {
-    const known = typed.length > 1 && (this.guide?.by ?? ICONS) === ICONS;
+    const known = typed.length > 1 && isOurs(this.guide?.by ?? ICONS);
     this.meant = known ? await suggested(typed).catch(() => []) : [];
   }
 }

@@ -44,7 +44,7 @@ export class ModelShelf extends Part {
   static override styles = [
     controls,
     css`
-:host {
+      :host {
         display: grid;
         gap: 16px;
       }
@@ -89,7 +89,7 @@ export class ModelShelf extends Part {
 
   override render() {
     const { chosen, kept, opening, problem } = this;
-    return html`<p class="small quiet">A model that judges pictures, from files on your device: its .onnx and .json, and the tokenizer where there is one. Nothing is sent anywhere. tools/guidance makes such files.</p>
+    return html`<p class="small quiet">A model that judges pictures, or takes noise from them, from files on your device: its .onnx and .json, and the tokenizer or the contexts where there are some. Nothing is sent anywhere. tools/guidance makes such files.</p>
       ${opening ? nothing : html`<button @click=${() => this.files.click()}>${icons.file} Choose a model…</button>`}
       <input type="file" multiple accept=".onnx,.json" aria-label="Model files: .onnx and .json" hidden @change=${this.choose} />
       ${chosen && !opening ? this.choice(chosen.from, chosen.facts) : nothing}
@@ -144,6 +144,7 @@ export class ModelShelf extends Part {
   protected override firstUpdated(): void {
     this.engine.listen((news) => {
       if (news.news === "guidance" && this.opening) this.opening = { ...this.opening, words: news.words, share: news.share };
+      if (news.news === "fresh") this.forget();
     });
     void this.list(null);
   }
@@ -172,9 +173,14 @@ export class ModelShelf extends Part {
 
   private readonly close = async (): Promise<void> => {
     await this.asked("closeGuidance", {});
+    this.forget();
+  };
+
+  /** Nothing is open any more. */
+  private forget(): void {
     this.opened = [];
     this.tell();
-  };
+  }
 
   private tell(): void {
     const models = [...this.opened, ...this.kept.filter(({ sha256 }) => !this.opened.some((open) => open.sha256 === sha256))];

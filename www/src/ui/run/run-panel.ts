@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { pause, reset, run, step, stop } from "../../state/actions/actions";
-import { showsExample, type Studio, type StudioState } from "../../state/studio";
+import { deskOf, showsExample, type Studio, type StudioState } from "../../state/studio";
 import { timeLeft } from "../../state/common/words";
 import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
@@ -99,7 +99,7 @@ export class RunPanel extends Part {
     if (said) return said;
     if (showsExample(this.state)) return "An example. Nothing leaves this device.";
     const { suffices, words } = this.task;
-    if (!suffices(doc.given[doc.task])) return words.needs;
+    if (!suffices(doc.given[doc.task], deskOf(doc).guide)) return words.needs;
     return "Ready. Nothing leaves this device.";
   }
 

@@ -5,7 +5,7 @@
 //! told beside it is half its square, as in the paper's code.
 
 use super::{Annealing, Diffusion};
-use crate::objective::{Guidance, Patch, Progress, Rendered};
+use crate::objective::{Guidance, Look, Progress, Rendered};
 use crate::rng::Rng;
 use crate::work::Work;
 use crate::{Error, Result};
@@ -62,6 +62,8 @@ pub struct Distilled {
     pub diffusion: Diffusion,
     /// How the time falls.
     pub annealing: Annealing,
+    /// What it is shown of a view: all of it, or several views of it, so that no single raster decides.
+    pub look: Look,
     /// What each view is to show; nothing for a view without.
     pub prompts: Vec<Option<Prompt>>,
     /// How much of the difference between asked for and nothing counts: 100 for words, 3 for views of a thing.
@@ -92,17 +94,26 @@ impl Distilled {
         }
     }
 
-    /// w(t) (eps_hat - eps) for what the model sees of view `index`.
-    async fn residual(&mut self, seen: &[f32], prompt: &Prompt, progress: Progress, index: usize) -> Result<Vec<f32>> {
+    /// w(t) (eps_hat - eps) for each of what the model sees of view `index`, all of them asked at once.
+    async fn residuals(
+        &mut self,
+        seen: &[Vec<f32>],
+        prompt: &Prompt,
+        progress: Progress,
+        index: usize,
+    ) -> Result<Vec<Vec<f32>>> {
         // One time for all views of an iteration, and noise of its own for each.
         let time = &mut Rng::new(self.seed, progress.iteration as u64);
         let t = self.annealing.time(&self.diffusion, progress.share(), time);
         let mut rng = Rng::new(self.seed ^ 0x6e6f_6973, (progress.iteration as u64) << 16 | index as u64);
+        let seen = seen.concat();
         let noise: Vec<f32> = (0..seen.len()).map(|_| rng.normal() as f32).collect();
         let alpha_bar = self.diffusion.alpha_bar(t);
         let (picture, other) = (alpha_bar.sqrt() as f32, (1.0 - alpha_bar).sqrt() as f32);
         let x_t: Vec<f32> = seen.iter().zip(&noise).map(|(x, eps)| picture * x + other * eps).collect();
-        let contexts = [&prompt.nothing[..], &prompt.context[..]].concat();
+        let size = self.denoiser.shape().iter().product();
+        let rows = seen.len() / size;
+        let contexts = [prompt.nothing.repeat(rows), prompt.context.repeat(rows)].concat();
         let answers = self.denoiser.run(&x_t.repeat(2), t, &contexts).done().await?;
         if answers.len() != 2 * seen.len() {
             return Err(unfit(format!("it answered with {} numbers, not {}", answers.len(), 2 * seen.len())));
@@ -111,7 +122,8 @@ impl Distilled {
         let weight = self.diffusion.weight(t) as f32;
         let (scale, most) = (self.scale, self.clamp);
         let pull = |((u, c), eps): ((&f32, &f32), &f32)| weight * (u + scale * (c - u) - eps).clamp(-most, most);
-        Ok(nothing.iter().zip(asked).zip(&noise).map(pull).collect())
+        let residuals: Vec<f32> = nothing.iter().zip(asked).zip(&noise).map(pull).collect();
+        Ok(residuals.chunks_exact(size).map(<[f32]>::to_vec).collect())
     }
 }
 
@@ -146,16 +158,23 @@ impl Guidance for Distilled {
             let mut loss = 0.0;
             for (index, view) in views.iter_mut().enumerate() {
                 let Some(prompt) = self.prompts.get(index).cloned().flatten() else { continue };
-                let (patch, mut image) = (Patch::whole(view.width, view.height), vec![0.0; 3 * size * size]);
-                patch.draw(&view.coverage, view.width, size, &mut image);
-                let seen = self.seen(&image).await?;
-                let residual = self.residual(&seen, &prompt, progress, index).await?;
-                // A mean, so that one weight serves pictures and latents of every size.
-                let share = view.guided_weight() / residual.len() as f32;
-                loss += 0.5 * share * residual.iter().map(|r| r * r).sum::<f32>();
-                let d_seen: Vec<f32> = residual.iter().map(|r| share * r).collect();
-                let d_image = self.pulled(&image, &d_seen).await?;
-                patch.pull(&d_image, size, view.width, &mut view.gradient);
+                let patches = self.look.patches(view.width, view.height, self.seed, progress.iteration, index);
+                let (mut images, mut seen) = (Vec::new(), Vec::new());
+                for patch in &patches {
+                    let mut image = vec![0.0; 3 * size * size];
+                    patch.draw(&view.coverage, view.width, size, &mut image);
+                    seen.push(self.seen(&image).await?);
+                    images.push(image);
+                }
+                let residuals = self.residuals(&seen, &prompt, progress, index).await?;
+                for ((patch, image), residual) in patches.iter().zip(&images).zip(&residuals) {
+                    // A mean, so that one weight serves pictures and latents of every size.
+                    let share = view.guided_weight() / (patches.len() * residual.len()) as f32;
+                    loss += 0.5 * share * residual.iter().map(|r| r * r).sum::<f32>();
+                    let d_seen: Vec<f32> = residual.iter().map(|r| share * r).collect();
+                    let d_image = self.pulled(image, &d_seen).await?;
+                    patch.pull(&d_image, size, view.width, &mut view.gradient);
+                }
             }
             Ok(loss)
         })
@@ -229,6 +248,7 @@ mod tests {
             encoder: latent.then(|| Box::new(Twice) as Box<dyn Encoder>),
             diffusion,
             annealing: Annealing::FALLING,
+            look: Look::Whole,
             prompts: vec![Some(Prompt { context: vec![1.0], nothing: vec![0.0] }), None],
             scale,
             clamp: f32::INFINITY,
@@ -320,6 +340,31 @@ mod tests {
             assert!((f64::from(views[0].gradient[pixel]) - by_hand).abs() < 1e-6, "{pixel}");
         }
         assert!(views[0].gradient.iter().any(|d| d.abs() > 1e-4));
+    }
+
+    #[test]
+    fn several_looks_are_averaged_each_with_noise_of_its_own() {
+        // Every look is at the whole, so that only noise tells them apart.
+        let still = |count| Look::Affine { count, turn: 0.0, scale: 1.0, shift: 0.0 };
+        let pull = |look: Look, seed: u64| {
+            let mut distilled = Distilled { look, seed, ..distilled(3.0, false) };
+            let mut views = views();
+            views.iter_mut().for_each(|view| view.coverage.fill(0.3));
+            views.iter_mut().for_each(Rendered::clear_gradient);
+            wait(distilled.guide(&mut views, Progress { iteration: 3, iterations: 10 }).done()).unwrap();
+            views[0].gradient.clone()
+        };
+        let near = |a: &[f32], b: &[f32]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
+        assert!(near(&pull(still(1), 1), &pull(Look::Whole, 1)));
+        let (one, many) = (pull(still(1), 1), pull(still(64), 1));
+        assert!(!near(&one, &many));
+        // Noise averages out, and the same of all seeds is left.
+        let spread = |pulls: [Vec<f32>; 2]| {
+            let [a, b] = pulls;
+            a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f32>().sqrt()
+        };
+        let same_time = |count: usize| spread([pull(still(count), 1), pull(still(2 * count), 1)]);
+        assert!(same_time(64) < 0.5 * same_time(1), "{} and {}", same_time(64), same_time(1));
     }
 
     #[test]

@@ -5,9 +5,9 @@ import type { Picture, Placed, Preview, SettingValues } from "../../../engine/pr
 import type { TaskEngine } from "../../../engine/task-engine";
 import * as wasm from "../../../engine/wasm/wire4d";
 import { centred } from "./centred";
-import type { Drawing, FoundInk, Reading } from "../protocol";
+import type { Drawing, FoundInk, Reading, Work } from "../protocol";
 
-export const engine: TaskEngine<readonly Drawing[]> = {
+export const engine: TaskEngine<Work> = {
   task: "multiview",
   handlers: {
     read: async ({ picture, reading, sidePx }) => {
@@ -20,12 +20,14 @@ export const engine: TaskEngine<readonly Drawing[]> = {
       return preview(drawings, settings);
     },
   },
-  async start(work, settings, from, { tell, note }) {
+  async start({ drawings: given, guided }, settings, from, { tell, note }) {
     await loaded();
-    const drawings = set(work);
-    const given = JSON.stringify(settings);
+    const drawings = set(given);
+    const values = JSON.stringify(settings);
     try {
-      return pulled(await (from ? wasm.Run.resume(drawings, given, from, tell, note) : wasm.Run.start(drawings, given, tell, note)));
+      for (const view of guided) drawings.guide(view);
+      const run = await (from ? wasm.Run.resume(drawings, values, from, tell, note) : wasm.Run.start(drawings, values, tell, note));
+      return pulled(run, given.map(({ name }) => name));
     } finally {
       drawings.free();
     }

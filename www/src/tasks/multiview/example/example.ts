@@ -9,14 +9,14 @@ import { sheetOf } from "../../../engine/sheet";
 import { codeAt, fetched } from "../../../state/common/fetched";
 import type { Example } from "../../../state/contract/task";
 import type { Paper } from "../paper";
-import front from "./front.png?url";
-import side from "./side.png?url";
-import top from "./top.png?url";
+import front from "./front.webp?url";
+import side from "./side.webp?url";
+import top from "./top.webp?url";
 import measured from "./views.json";
 import codeUrl from "./wire.code?url";
 import { SLOTS, type Papers, type Slot } from "../given";
 
-/** `tests/drawings/t01-animals`, each already on its sheet. */
+/** `tests/drawings/t01-animals`, each already on its sheet; WebP without loss, which is smaller than PNG. */
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
   front: { url: front, label: "Cat" },
   side: { url: side, label: "Bird" },

@@ -6,7 +6,7 @@ import { SLOTS, type Slot } from "../given";
 import { movedBy } from "../arrangement";
 import { multiview } from "../task";
 import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../paper";
-import type { Studio, StudioState } from "../../../state/studio";
+import { deskOf, type Studio, type StudioState } from "../../../state/studio";
 import { percent } from "../../../state/common/words";
 import { Part } from "../../../view/part";
 import { icons } from "../../../ui/shared/icons";
@@ -58,6 +58,11 @@ export class DrawingPad extends Part {
     return givenFor(this.state, multiview)[this.slotName];
   }
 
+  /** What pulls the wire here, drawing or not. */
+  private get word(): string {
+    return deskOf(this.state.doc, multiview.name).guide?.words[this.slotName] ?? "";
+  }
+
   private get locked(): boolean {
     return this.state.phase !== "idle";
   }
@@ -67,7 +72,7 @@ export class DrawingPad extends Part {
     const { pads, preview: previewed } = passingOf(state, multiview);
     const { busy, problem } = pads[slotName];
     const preview = paper ? previewed?.drawings[slotName] : undefined;
-    const moved = preview ? movedBy(slotName, preview) : "";
+    const moved = [preview ? movedBy(slotName, preview) : "", paper && this.word ? `pulled by “${this.word}”` : ""].filter(Boolean).join(", ");
     const name = titled(slotName);
     return html`
       <section
@@ -128,6 +133,8 @@ export class DrawingPad extends Part {
   }
 
   private invitation() {
+    const { word } = this;
+    if (word && !this.landing.over) return html`<div class="invitation small">${icons.type}<span>“${word}” pulls here</span></div>`;
     const words = this.landing.over
       ? "Drop it here"
       : html`<span class="long">Draw here, or drop a picture</span><span class="short">Draw</span>`;
@@ -147,7 +154,7 @@ export class DrawingPad extends Part {
 
   private described(coverable: number | undefined): string {
     const { paper, slotName } = this;
-    if (!paper) return `${titled(slotName)}: empty sheet`;
+    if (!paper) return `${titled(slotName)}: ${this.word ? `no drawing, “${this.word}” pulls the wire` : "empty sheet"}`;
     return `${titled(slotName)}: ${paper.label}${coverable === undefined ? "" : `, ${percent(coverable)} of it can be shown`}`;
   }
 
@@ -175,7 +182,7 @@ export class DrawingPad extends Part {
             ${item("Swap ink and ground", icons.invert, invert)} ${item("Set how dark ink is", icons.settings, () => this.edit("picture"))}`
         : nothing}
       <hr role="separator" />
-      ${item("Clear", icons.clear, () => pads.clearPad(slotName))}
+      ${item("Clear", icons.clear, () => pads.clearPad(slotName), !paper && !this.word)}
     `;
   }
 

@@ -25,7 +25,7 @@ const FIRST =
   );
 const SUGGESTIONS = ["animal", "music", "weather"];
 
-/** Icons to take: fires `take` with a TakenIcon. What is on it is loaded when it is first shown. */
+/** Icons to take: fires `take` with a TakenIcon, and `seek` with what is looked for. What is on it is loaded when it is first shown. */
 @customElement("icon-shelf")
 export class IconShelf extends LitElement {
   /** What the sheet's icon is called, if there is one. */
@@ -66,6 +66,7 @@ export class IconShelf extends LitElement {
       this.shown = BATCH;
       this.wanted = PAGE;
       this.current = 0;
+      this.dispatchEvent(new CustomEvent<string>("seek", { detail: this.search }));
     }
   }
 
@@ -101,6 +102,7 @@ export class IconShelf extends LitElement {
         <output>${this.strokeWidth.toFixed(2)}</output>
       </label>
       <div class="scroll">${this.content()}</div>
+      <slot></slot>
       ${this.shelf
         ? html`<details class="small">
             <summary>Icons: Lucide, ISC licence</summary>

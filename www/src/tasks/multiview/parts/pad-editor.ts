@@ -14,6 +14,7 @@ import { NARROW } from "../../../ui/shared/narrow";
 import { FIRST_PEN, inkOf, pictureIn, titled, type EditorTab } from "./drawing-pad";
 import { sheetAndTools } from "../../../ui/shared/editor-style";
 import "./icon-shelf";
+import "./word-pull";
 import type { TakenIcon } from "./icon-shelf";
 import { chosenFile } from "../../../ui/shared/drop";
 import { icons } from "../../../ui/shared/icons";
@@ -46,6 +47,8 @@ export class PadEditor extends LitElement {
   @state() private text = "";
   @state() private lettering: Lettering = { font: "round", bold: true };
   @state() private unknown: readonly string[] = [];
+  /** For which icons are looked. */
+  @state() private sought = "";
   /** What is typed, not yet on the sheet. */
   @state() private stamp: Omit<StampLayer, "kind"> | null = null;
   /** Whether what is typed is not on the sheet as it is typed now. */
@@ -196,7 +199,13 @@ export class PadEditor extends LitElement {
       case "type":
         return this.typePanel();
       case "icons":
-        return html`<icon-shelf .taken=${this.paper?.layers.find(({ kind }) => kind === "stamp") ? this.paper.label : ""} @take=${this.takeIcon}></icon-shelf>`;
+        return html`<icon-shelf
+          .taken=${this.paper?.layers.find(({ kind }) => kind === "stamp") ? this.paper.label : ""}
+          @take=${this.takeIcon}
+          @seek=${({ detail }: CustomEvent<string>) => (this.sought = detail)}
+        >
+          <word-pull .studio=${this.studio} .state=${this.state} .pad=${this.slot} .typed=${this.sought}></word-pull>
+        </icon-shelf>`;
       case "picture":
         return this.picturePanel();
     }

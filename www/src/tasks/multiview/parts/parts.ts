@@ -4,6 +4,7 @@ import { html } from "lit";
 import type { TaskParts } from "../../../ui/shared/page-task";
 import "../../../ui/run/run-choices";
 import { givenFor } from "../../../state/contract/state";
+import { deskOf } from "../../../state/studio";
 import { SLOTS } from "../given";
 import { multiview } from "../task";
 import "./bend-choice";
@@ -29,7 +30,8 @@ export const parts: TaskParts = {
       ? html`<pad-editor .studio=${studio} .state=${state} .slot=${editing.slot} .tab=${editing.tab} @close-editor=${() => edit(null)}></pad-editor>`
       : null,
   own({ studio, state, edit }) {
-    if (!multiview.isBlank(givenFor(state, multiview))) studio.taker(multiview).clear();
+    const { words = {} } = deskOf(state.doc, multiview.name).guide ?? {};
+    if (!multiview.isBlank(givenFor(state, multiview)) || Object.values(words).some(Boolean)) studio.taker(multiview).clear();
     open(edit, { slot: "front", tab: "draw" });
   },
 };

@@ -2,8 +2,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { BendPreview } from "../../../engine/protocol";
 import { givenFor, passingOf } from "../../../state/contract/state";
-import type { Studio, StudioState } from "../../../state/studio";
-import { laidOut, SLOTS } from "../given";
+import { deskOf, type Studio, type StudioState } from "../../../state/studio";
+import { guidedAlone, laidOut, SLOTS } from "../given";
 import type { PadRemedy, PreviewBySlot } from "../previewer";
 import { movedBy } from "../arrangement";
 import { multiview } from "../task";
@@ -31,7 +31,7 @@ export class RemedyList extends Part {
     const { preview, previewBusy, previewProblem } = passingOf(this.state, multiview);
     const { phase } = this.state;
     const drawings = laidOut(givenFor(this.state, multiview)).length;
-    if (drawings < 2) return this.only(drawings === 0 ? "Two or three drawings make a wire." : "One more drawing, and a wire can be made.");
+    if (drawings < 2) return this.only(this.few(drawings));
     if (previewProblem) return html`<section aria-label=${NAME}><p class="small" role="alert">${previewProblem}</p></section>`;
     if (!preview) return this.only(previewBusy ? "Finding where the drawings agree…" : "");
     const locked = phase !== "idle";
@@ -47,6 +47,14 @@ export class RemedyList extends Part {
       ${bends.length > 1 && now < AS_GOOD_AS_ALL ? html`<ul aria-label="Bending">${bends.map((bend) => this.bend(bend, locked))}</ul>` : nothing}
       ${preview.notes.map((note) => html`<p class="small quiet">${note}</p>`)}
     </section>`;
+  }
+
+  private few(drawings: number): string {
+    const { guide } = deskOf(this.state.doc, multiview.name);
+    const words = guidedAlone(givenFor(this.state, multiview), guide).length;
+    if (drawings + words === 0) return "Two or three drawings make a wire.";
+    if (drawings + words === 1) return "One more drawing, and a wire can be made.";
+    return drawings === 0 ? "Words alone will pull the wire." : "A word will pull where nothing is drawn.";
   }
 
   private only(words: string): TemplateResult {

@@ -1,5 +1,7 @@
 /** Finds icons by plain words. */
 
+import { singularsOf } from "../../../../guidance/singulars";
+
 export interface Icon {
   readonly name: string;
   readonly tags: readonly string[];
@@ -15,7 +17,7 @@ const NO_MATCH = Infinity;
 export function find<T extends Icon>(icons: readonly T[], query: string): readonly T[] {
   const words = query.toLowerCase().split(/[\s-]+/u).filter(Boolean);
   const whole = words.join("-");
-  const asked = words.map(forms);
+  const asked = words.map((word) => [word, ...singularsOf(word)]);
   return icons
     .map((icon) => ({ icon, rank: icon.name === whole ? -1 : asked.reduce((sum, forms) => sum + rankOf(icon, forms), 0) }))
     .filter(({ rank }) => rank < NO_MATCH)
@@ -36,13 +38,4 @@ function rankOfForm({ name, tags }: Icon, word: string): number {
   if (tags.includes(word)) return 3;
   if (tags.some((tag) => tag.startsWith(word))) return 4;
   return name.includes(word) || tags.some((tag) => tag.includes(word)) ? 5 : NO_MATCH;
-}
-
-/** As typed, and what it may be the plural of. */
-function forms(word: string): readonly string[] {
-  const result = [word];
-  if (word.length > 4 && word.endsWith("ies")) result.push(`${word.slice(0, -3)}y`);
-  if (word.length > 4 && /(?:s|x|z|ch|sh)es$/u.test(word)) result.push(word.slice(0, -2));
-  if (word.length > 3 && word.endsWith("s") && !word.endsWith("ss")) result.push(word.slice(0, -1));
-  return result;
 }

@@ -1,10 +1,16 @@
 //! Guidance that JavaScript computes: a function of the pictures, or networks that it runs.
 
+mod diffusion;
+mod networks;
+
+pub use diffusion::{Contexts, DenoiserObject, DiffusionOptions, EncoderObject, by_diffusion};
+pub use networks::{Networks, Vectors, WordsOptions, by_words};
+
 use js_sys::{Array, Float32Array, Function, Object, Promise, Reflect};
 use send_wrapper::SendWrapper;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
-use wire4d::objective::{Aim, Answer, Batch, Guidance, Learned, Look, Member, Network, Progress, Rendered};
+use wire4d::objective::{Guidance, Progress, Rendered};
 use wire4d::optimize::Work;
 use wire4d::{Error, Result};
 
@@ -120,106 +126,47 @@ fn thrown(value: JsValue) -> Error {
     wrong(words.trim_end_matches(['.', ';', ' ']))
 }
 
-#[wasm_bindgen(typescript_custom_section)]
-const NETWORK_TYPES: &str = r#"
-/** A network after the contract guidance-v1 of tools/guidance: n rows of pictures of `size` px, `embed` numbers each. */
-export interface GuidanceNetwork {
-  readonly size: number;
-  readonly embed: number;
-  run(batch: { images: Float32Array<ArrayBuffer>; source: Float32Array<ArrayBuffer>; target: Float32Array<ArrayBuffer>; weight: Float32Array<ArrayBuffer> }): Promise<{
-    readonly loss: number;
-    readonly grad: Float32Array;
-    readonly cos: Float32Array;
-    readonly embedding: Float32Array;
-  }>;
-}
-"#;
-
-#[wasm_bindgen]
-extern "C" {
-    /// A list of `GuidanceNetwork`.
-    #[wasm_bindgen(typescript_type = "readonly GuidanceNetwork[]")]
-    pub type Networks;
-    /// A list for each network, with a unit vector for each view, or null where a view has no words.
-    #[wasm_bindgen(typescript_type = "readonly (readonly (Float32Array | null)[])[]")]
-    pub type Vectors;
+/// A list of JavaScript's.
+fn list(value: impl Into<JsValue>, of: &str) -> Result<Array> {
+    value.into().dyn_into::<Array>().map_err(|_| wrong(&format!("it is no list of {of}")))
 }
 
-/// A network that a function runs.
-struct AskedNetwork {
-    network: SendWrapper<JsValue>,
+/// A size that `of` says it has.
+fn size(of: &JsValue, name: &str, most: f64) -> Result<usize> {
+    match member(of, name).as_f64() {
+        Some(count) if (1.0..=most).contains(&count) && count.fract() == 0.0 => Ok(count as usize),
+        _ => Err(wrong(&format!("its {name} is no number from 1 to {most}"))),
+    }
+}
+
+/// What JavaScript runs: an object with a function `run` that takes one object and answers with another, now or later.
+struct Asked {
+    object: SendWrapper<JsValue>,
     run: SendWrapper<Function>,
-    size: usize,
-    embed: usize,
 }
 
-impl AskedNetwork {
-    /// # Errors
-    /// [`Error::Guidance`] where it is no `GuidanceNetwork`.
-    fn new(network: JsValue) -> Result<AskedNetwork> {
-        let count = |name: &str, most: f64| match member(&network, name).as_f64() {
-            Some(count) if (1.0..=most).contains(&count) && count.fract() == 0.0 => Ok(count as usize),
-            _ => Err(wrong(&format!("its {name} is no number from 1 to {most}"))),
-        };
-        let run = member(&network, "run").dyn_into().map_err(|_| wrong("its run is no function"))?;
-        let (size, embed) = (count("size", 1024.0)?, count("embed", 4096.0)?);
-        Ok(AskedNetwork { network: SendWrapper::new(network), run: SendWrapper::new(run), size, embed })
+impl Asked {
+    fn new(object: JsValue) -> Result<Asked> {
+        let run = member(&object, "run").dyn_into().map_err(|_| wrong("its run is no function"))?;
+        Ok(Asked { object: SendWrapper::new(object), run: SendWrapper::new(run) })
+    }
+
+    async fn run(&self, given: JsValue) -> Result<JsValue> {
+        let answer = self.run.call1(&self.object, &given).map_err(thrown)?;
+        JsFuture::from(Promise::resolve(&answer)).await.map_err(thrown)
     }
 }
 
-impl Network for AskedNetwork {
-    fn size(&self) -> usize {
-        self.size
-    }
-
-    fn embed(&self) -> usize {
-        self.embed
-    }
-
-    fn run<'a>(&'a mut self, batch: Batch<'a>) -> Work<'a, Result<Answer>> {
-        let array = |values: &[f32]| JsValue::from(Float32Array::from(values));
-        let rows = batch.weight.len();
-        let given = object([
-            ("images", array(batch.images)),
-            ("source", array(batch.source)),
-            ("target", array(batch.target)),
-            ("weight", array(batch.weight)),
-        ]);
-        Work::later(async move {
-            let answer = self.run.call1(&self.network, &given).map_err(thrown)?;
-            let answer = JsFuture::from(Promise::resolve(&answer)).await.map_err(thrown)?;
-            let numbers = |name: &str, count: usize| {
-                let list = member(&answer, name).dyn_into::<Float32Array>();
-                let list = list.map_err(|_| wrong(&format!("its {name} is no Float32Array")))?;
-                match list.length() as usize == count {
-                    true => Ok(list.to_vec()),
-                    false => Err(wrong(&format!("its {name} has {} numbers, not {count}", list.length()))),
-                }
-            };
-            Ok(Answer {
-                loss: member(&answer, "loss").as_f64().ok_or_else(|| wrong("its loss is no number"))? as f32,
-                gradient: numbers("grad", batch.images.len())?,
-                cos: numbers("cos", rows)?,
-                embedding: numbers("embedding", rows * self.embed)?,
-            })
-        })
-    }
+fn array(values: &[f32]) -> JsValue {
+    Float32Array::from(values).into()
 }
 
-/// Views become like words, as `networks` see both.
-///
-/// # Errors
-/// [`Error::Guidance`] where these are no networks, or vectors of other sizes.
-pub fn by_words(networks: Networks, vectors: Vectors, seed: u64) -> Result<Learned> {
-    let list = |value: JsValue| value.dyn_into::<Array>().map_err(|_| wrong("it is no list of networks and vectors"));
-    let (networks, vectors) = (list(networks.into())?, list(vectors.into())?);
-    if networks.length() == 0 || networks.length() != vectors.length() {
-        return Err(wrong("there is not one list of vectors for each network"));
+/// So many numbers of an answer.
+fn numbers(answer: &JsValue, name: &str, count: usize) -> Result<Vec<f32>> {
+    let list = member(answer, name).dyn_into::<Float32Array>();
+    let list = list.map_err(|_| wrong(&format!("its {name} is no Float32Array")))?;
+    match list.length() as usize == count {
+        true => Ok(list.to_vec()),
+        false => Err(wrong(&format!("its {name} has {} numbers, not {count}", list.length()))),
     }
-    let member = |(network, vectors): (JsValue, JsValue)| {
-        let aim = |vector: JsValue| vector.dyn_into::<Float32Array>().ok().map(|vector| Aim::Like(vector.to_vec()));
-        Member::new(Box::new(AskedNetwork::new(network)?), list(vectors)?.iter().map(aim).collect())
-    };
-    let members: Result<Vec<_>> = networks.iter().zip(vectors.iter()).map(member).collect();
-    Ok(Learned::new(members?, Look::WORDS, seed))
 }
