@@ -3,7 +3,7 @@
 use super::{Asked, array, list, member, numbers, object, size, wrong};
 use wasm_bindgen::prelude::*;
 use wire4d::Result;
-use wire4d::objective::{Annealing, Denoiser, Diffusion, Distilled, Encoder, Latent, Prompt};
+use wire4d::objective::{Annealing, Denoiser, Diffusion, Distilled, Encoder, Latent, Look, Prompt};
 use wire4d::optimize::Work;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -116,6 +116,8 @@ pub fn by_diffusion(
         })),
     };
     let prompts: Result<Vec<_>> = list(contexts, "contexts")?.iter().map(prompt).collect();
+    // Each look costs two runs of an encoder.
+    let look = if encoder.is_object() { Look::Whole } else { Look::WORDS };
     let encoder = match encoder.is_object() {
         false if !matches!(shape, [1 | 3, rows, columns] if rows == columns) => {
             return Err(wrong("it sees no square pictures, and there is no encoder"));
@@ -130,6 +132,7 @@ pub fn by_diffusion(
         encoder,
         diffusion: schedule(&member(&options, "schedule"))?,
         annealing: Annealing::FALLING,
+        look,
         prompts: prompts?,
         scale: member(&options, "scale").as_f64().unwrap_or(100.0) as f32,
         clamp: f32::INFINITY,

@@ -223,12 +223,14 @@ const LEFT = (channels: number) => `
     return { loss: 0, grad: images.map((i) => new Float32Array(i.ink.length)) };
   });`;
 
+/** How much of the ink is in the left half of the first view in the end, and when the denoiser was asked. */
+const looked = () =>
+  page.evaluate(() => {
+    const { sides: [left, right], times, encoded } = window as unknown as { sides: [number, number]; times: number[]; encoded: number };
+    return { share: left / (left + right), times, encoded };
+  });
+
 it.each([1, 3])("becomes what a diffusion model of %s channels thinks its context is of", async (channels) => {
-  const looked = () =>
-    page.evaluate(() => {
-      const { sides: [left, right], times } = window as unknown as { sides: [number, number]; times: number[] };
-      return { share: left / (left + right), times };
-    });
   await guided(LEFT(channels));
   const before = await looked();
   const { troubles } = await guided(`${LEFT(channels)} run.guideByDiffusion("left", 30, denoiser, null, [told, null], options);`);
@@ -241,9 +243,16 @@ it.each([1, 3])("becomes what a diffusion model of %s channels thinks its contex
 
 it("asks an encoder for latents, there and back", async () => {
   // Latents are pixels, made by somebody else.
-  const encoder = `const encoder = { size, async run({ image, cotangent }) { return { latent: image.map((v) => 2 * v - 1), grad: cotangent.map((d) => 2 * d) }; } };`;
-  const by = (encoded: string) => guided(`${LEFT(3)} ${encoder} run.guideByDiffusion("left", 30, denoiser, ${encoded}, [told, null], options);`);
-  expect((await by("encoder")).wire).toEqual((await by("null")).wire);
+  const encoder = `
+    window.encoded = 0;
+    const encoder = { size, async run({ image, cotangent }) { window.encoded++; return { latent: image.map((v) => 2 * v - 1), grad: cotangent.map((d) => 2 * d) }; } };`;
+  await guided(LEFT(3));
+  const before = await looked();
+  const { troubles } = await guided(`${LEFT(3)} ${encoder} run.guideByDiffusion("left", 30, denoiser, encoder, [told, null], options);`);
+  expect(troubles).toEqual([]);
+  const after = await looked();
+  expect(after.share).toBeGreaterThan(before.share + 0.05);
+  expect(after.encoded).toBe(48);
 });
 
 it.each([
