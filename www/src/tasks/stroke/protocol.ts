@@ -50,7 +50,7 @@ declare module "../../engine/protocol" {
   interface Calls {
     /**
      * The object in a picture: what the hints point at, else the `object`-th of several, the largest is 1. Refused with a
-     * sentence if there is none. Where that is not sure and nobody points, an open network of the kind mask-v1 says. The worker keeps the last picture, with what it learnt of it: without a picture the answer
+     * sentence if there is none. Where nobody points, an open network of the kind mask-v1 says what it is. The worker keeps the last picture, with what it learnt of it: without a picture the answer
      * is null where the one of this `key` is not there.
      */
     find: { arguments: { key: number; picture: Picture | null; object: number; hints: PixelHints }; answer: FoundObject | null };

@@ -24,8 +24,7 @@ export const engine: TaskEngine<StrokeWork> = {
       const { subject } = last;
       subject.clear_hints();
       point(subject, hints);
-      const found = find(subject, object);
-      return found.isSure || hints.box || hints.marks.length ? found : seenBy(last, object, found);
+      return hints.box || hints.marks.length ? find(subject, object) : findUnpointed(last, object);
     },
     guessDepth: async ({ picture: { name, width, height, rgba } }) => {
       const near = await seen("depth-v1", { width, height, rgba });
@@ -44,19 +43,22 @@ export const engine: TaskEngine<StrokeWork> = {
   },
 };
 
-/** The object as an open network sees it, or as it was found. */
-async function seenBy({ picture, subject }: NonNullable<typeof last>, object: number, found: FoundObject): Promise<FoundObject> {
+/** As an open network sees it; where there is none, or it sees nothing, as it is found here. */
+async function findUnpointed({ picture, subject }: NonNullable<typeof last>, object: number): Promise<FoundObject> {
+  let failed: string[] = [];
   try {
     const mask = await seen("mask-v1", picture);
-    if (!mask) return found;
-    subject.set_mask(mask.width, mask.height, bytes(mask.values));
-    const other = find(subject, object);
-    return { ...other, notes: [`The object is as the network ${mask.by} sees it.`, ...other.notes] };
+    if (mask) {
+      subject.set_mask(mask.width, mask.height, bytes(mask.values));
+      const { notes, ...found } = find(subject, object);
+      return { ...found, notes: [`The object is as the network ${mask.by} sees it.`, ...notes] };
+    }
   } catch (error) {
-    return { ...found, notes: [...found.notes, error instanceof Error ? error.message : String(error)] };
-  } finally {
+    failed = [`${error instanceof Error ? error.message : error}. The object is found without the network.`];
     subject.clear_hints();
   }
+  const { notes, ...found } = find(subject, object);
+  return { ...found, notes: [...failed, ...notes] };
 }
 
 function find(subject: wasm.Subject, object: number): FoundObject {
