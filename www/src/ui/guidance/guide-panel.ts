@@ -80,7 +80,7 @@ export class GuidePanel extends Part {
     const { guide, views } = this;
     if (views.length === 0) return html`<p class="small quiet">Words guide wires that have pictures to be like. Look at Three views or One picture.</p>`;
     return html`
-      <p class="small quiet">A word pulls the wire besides the picture, towards what a network thinks the word looks like. That is an experiment: it can be wrong, and it takes longer.</p>
+      <p class="small quiet">A word pulls the wire besides the picture${views.length > 1 ? ", or alone where nothing is drawn," : ""} towards what a network thinks the word looks like. That is an experiment: it can be wrong, and it takes longer.</p>
       <div class="words">
         ${views.map((view) => this.word(view))}
         <datalist id="meant">${this.meant.map((word) => html`<option value=${word}></option>`)}</datalist>

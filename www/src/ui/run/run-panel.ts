@@ -65,7 +65,7 @@ export class RunPanel extends Part {
     const { icon, instead, again } = page.own;
     return html`
       <button class="primary" @click=${() => this.studio.act(run)}>${icons.run} ${example && !planned && !restyled ? "Make it again" : page.run}</button>
-      <button class="wide" @click=${() => this.dispatchEvent(new Event("own"))}>${icons[icon]} ${example || isBlank(doc.given[doc.task]) ? instead : again}</button>
+      <button class="wide" @click=${() => this.dispatchEvent(new Event("own"))}>${icons[icon]} ${example || (isBlank(doc.given[doc.task]) && !deskOf(doc).guide) ? instead : again}</button>
     `;
   }
 
