@@ -114,5 +114,3 @@ def _waves(t: torch.Tensor) -> torch.Tensor:
     """[n] to [n,2 WAVES]: sines and cosines, from a quarter of all times to some 100 times as fine."""
     angle = t[:, None] * torch.exp(torch.linspace(math.log(2 * math.pi / STEPS), math.log(0.3), WAVES))
     return torch.cat([angle.sin(), angle.cos()], 1)
-
-

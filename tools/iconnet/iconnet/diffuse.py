@@ -133,7 +133,12 @@ class Trainer:
     def save(self) -> None:
         """Whole or not at all, so that whoever looks meanwhile finds a checkpoint."""
         self.file.parent.mkdir(parents=True, exist_ok=True)
-        kept = {"weights": self.slow.state_dict(), "quick": self.network.state_dict(), "steps": self.steps, "seed": self.plan.seed}
+        kept = {
+            "weights": self.slow.state_dict(),
+            "quick": self.network.state_dict(),
+            "steps": self.steps,
+            "seed": self.plan.seed,
+        }
         part = self.file.with_suffix(".part")
         torch.save(kept, part)
         os.replace(part, self.file)

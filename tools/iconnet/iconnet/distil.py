@@ -19,7 +19,8 @@ from .words import NOTHING
 class Settings:
     """Of one trial. Curves as in `guide.Settings`, and `length` weighs their length; each step sees `views` of each curve, `turned` or as they are, and one time for all.
     `scale` is that of guidance. A time lies anywhere between `least` and `most`, shares of all times that change in straight lines from
-    the first step's to the last's. The pull is smeared over squares of up to 2 ^ `levels` pixels (see `smeared`). `sds` and `cosine` weigh the pull and the mean cosine of the guiding networks."""
+    the first step's to the last's. The pull is smeared over squares of up to 2 ^ `levels` pixels (see `smeared`). `sds` and `cosine` weigh the pull and the mean cosine of the guiding networks.
+    """
 
     controls: int = 56
     steps: int = 300
