@@ -29,7 +29,9 @@ def encode(file: Path, prompts: list[str]) -> dict:
         raise SourceError("There is no prompt. Give one or more after the file.")
     ids = np.concatenate([tokenizer.nothing(), tokenizer(asked)])
     session = Session(file)
-    contexts = [{"prompt": p, "values": _packed(session.run({"ids": row[None]})["context"])} for p, row in zip(["", *asked], ids)]
+    contexts = [
+        {"prompt": p, "values": _packed(session.run({"ids": row[None]})["context"])} for p, row in zip(["", *asked], ids)
+    ]
     return {
         "kind": "contexts-v1",
         "model": facts["name"],

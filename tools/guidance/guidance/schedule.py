@@ -55,9 +55,13 @@ def of_config(config: dict) -> Schedule:
     answers with."""
     if config.get("prediction_type", "epsilon") != "epsilon":
         raise ModelError(f"The model answers with {config['prediction_type']!r}, and eps-v1 with the noise itself.")
-    kind = {"linear": "linear", "scaled_linear": "scaled-linear", "squaredcos_cap_v2": "cosine"}.get(config.get("beta_schedule"))
+    kind = {"linear": "linear", "scaled_linear": "scaled-linear", "squaredcos_cap_v2": "cosine"}.get(
+        config.get("beta_schedule")
+    )
     if kind is None or config.get("trained_betas") is not None:
-        raise ModelError(f"The scheduler's betas are of the kind {config.get('beta_schedule')!r}, and a sidecar knows {', '.join(KINDS)}.")
+        raise ModelError(
+            f"The scheduler's betas are of the kind {config.get('beta_schedule')!r}, and a sidecar knows {', '.join(KINDS)}."
+        )
     steps = int(config.get("num_train_timesteps", 1000))
     return Schedule(kind, steps) if kind == "cosine" else Schedule(kind, steps, config["beta_start"], config["beta_end"])
 
@@ -74,7 +78,9 @@ def faults(given) -> list[str]:
     if given["kind"] == "cosine":
         said += ["A cosine schedule has neither 'from' nor 'to'."] if ends != [None, None] else []
     elif not all(type(e) in (int, float) for e in ends) or not 0 < ends[0] <= ends[1] < 1:
-        said.append(f"The schedule's 'from' and 'to' must be betas, 0 < from <= to < 1, and they are {ends[0]!r} and {ends[1]!r}.")
+        said.append(
+            f"The schedule's 'from' and 'to' must be betas, 0 < from <= to < 1, and they are {ends[0]!r} and {ends[1]!r}."
+        )
     return said
 
 

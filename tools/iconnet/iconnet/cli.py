@@ -146,9 +146,9 @@ def _parser() -> argparse.ArgumentParser:
     distil.add_argument("--sheet", type=Path, metavar="PNG", help="a picture of all outcomes")
     distil.add_argument("--start", choices=("ring", "tangle"))
     distil.add_argument("--turned", action=argparse.BooleanOptionalAction)
-    for option in ("controls", "steps", "views", "seed"):
+    for option in ("controls", "steps", "views", "levels", "seed"):
         distil.add_argument(f"--{option}", type=int)
-    for option in ("rate", "width", "smooth", "scale", "sds", "cosine"):
+    for option in ("rate", "width", "smooth", "length", "scale", "sds", "cosine"):
         distil.add_argument(f"--{option}", type=float)
     for option in ("least", "most"):
         distil.add_argument(f"--{option}", type=float, nargs=2, metavar=("FIRST", "LAST"), help="times as shares of all")

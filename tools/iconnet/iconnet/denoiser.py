@@ -1,7 +1,8 @@
 """The denoiser: what a noised picture of 64 x 64 pixels was, given a word's row.
 
 A small U-Net. It sees squares of 4 x 4 pixels as channels, so its widest layers work on 16 x 16 places and not on 4096: that is
-what makes it quick enough for a processor. Time and word scale and shift the channels of every block. Smooth throughout.
+what makes it quick enough for a processor. Time and word scale and shift the channels of every block, and a word has a map of its own
+at the coarsest level, where it says what goes where: with scales alone that takes far longer to learn. Smooth throughout.
 """
 
 import functools
@@ -19,6 +20,7 @@ WIDTHS = 64, 128, 160  # channels at 16, 8 and 4 places a side
 DOWN, UP = (1, 1, 1), (2, 1)  # blocks at each, on the way down and up again
 TOLD = 128  # numbers that say time and word
 WAVES = 32  # of the time
+COARSEST = 4  # places a side
 GROUPS = 8
 
 
@@ -53,6 +55,7 @@ class Denoiser(nn.Module):
         super().__init__()
         levels = lambda blocks: nn.ModuleList(nn.ModuleList(Block(width) for _ in range(n)) for width, n in zip(WIDTHS, blocks))
         self.tell = nn.Sequential(nn.Linear(EMBED + 2 * WAVES, TOLD), nn.SiLU(), nn.Linear(TOLD, TOLD), nn.SiLU())
+        self.map = nn.Linear(EMBED, WIDTHS[-1] * COARSEST**2)
         self.fold = nn.Conv2d(FOLD * FOLD, WIDTHS[0], 3, padding=1)
         self.down, self.up = levels(DOWN), levels(UP)
         self.coarser = nn.ModuleList(nn.Conv2d(fine, coarse, 2, stride=2) for fine, coarse in zip(WIDTHS, WIDTHS[1:]))
@@ -62,9 +65,12 @@ class Denoiser(nn.Module):
 
     def forward(self, x_t, t, word):
         # Rows of unit length have numbers of about a tenth, and waves of about one.
-        told = self.tell(torch.cat([EMBED**0.5 * word, _waves(t)], 1))
+        word = EMBED**0.5 * word
+        told = self.tell(torch.cat([word, _waves(t)], 1))
         x, kept = self.fold(F.pixel_unshuffle(x_t, FOLD)), []
         for level, blocks in enumerate(self.down):
+            if level == len(self.coarser):
+                x = x + self.map(word).view(-1, WIDTHS[-1], COARSEST, COARSEST)
             for block in blocks:
                 x = block(x, told)
             if level < len(self.coarser):
@@ -108,5 +114,3 @@ def _waves(t: torch.Tensor) -> torch.Tensor:
     """[n] to [n,2 WAVES]: sines and cosines, from a quarter of all times to some 100 times as fine."""
     angle = t[:, None] * torch.exp(torch.linspace(math.log(2 * math.pi / STEPS), math.log(0.3), WAVES))
     return torch.cat([angle.sin(), angle.cos()], 1)
-
-

@@ -32,15 +32,15 @@ class Plan:
     wires: float = 0.7
     nothing: float = 0.12
     tagged: float = 0.35
-    things: float = 4.0
+    things: float = 8.0
 
 
-BATCH = 128
-RATE, WARM, DECAY = 1.5e-3, 0.02, 0.01
+BATCH = 64
+RATE, WARM, DECAY = 1.2e-3, 0.02, 0.01
 MOST_SNR = 5.0  # signal to noise beyond which a time counts no more: details are then plain to see
-REMEMBER = 0.9995  # of the averaged weights, a step
+REMEMBER = 0.999  # of the averaged weights, a step
 LEAST = 0.02  # of RATE, at the end
-REPORTS = 10
+REPORTS = 20
 EMOJI = "fluent-emoji-high-contrast"
 
 
@@ -113,15 +113,15 @@ class Trainer:
         self.seen.append((t, every.detach()))
 
     def progress(self) -> str:
-        """Mean losses since the last call, of early, middle and late times; and, on held-out icons as wires, the loss at the middle
-        time with their own names, without a word, and with others' names."""
+        """Mean losses since the last call, of early, middle and late times; and, on held-out icons as wires, the loss at a
+        time with much noise with their own names, without a word, and with others' names."""
         t, every = (torch.cat(parts) for parts in zip(*self.seen))
         self.seen = []
         thirds = " ".join(f"{float(every[t * 3 // denoiser.STEPS == third].mean()):.4f}" for third in range(3))
         own, none, other = self.held_out()
         return f"loss {thirds}; held-out: own word {own:.4f}, nothing {none:.4f}, another {other:.4f}"
 
-    def held_out(self, at: int = 600) -> tuple[float, float, float]:
+    def held_out(self, at: int = 800) -> tuple[float, float, float]:
         """Losses of v at one time, by the averaged weights, always with the same noise."""
         nothing = torch.from_numpy(NOTHING).expand_as(self.test_words)
         t = torch.full((self.tests,), at)
@@ -133,7 +133,12 @@ class Trainer:
     def save(self) -> None:
         """Whole or not at all, so that whoever looks meanwhile finds a checkpoint."""
         self.file.parent.mkdir(parents=True, exist_ok=True)
-        kept = {"weights": self.slow.state_dict(), "quick": self.network.state_dict(), "steps": self.steps, "seed": self.plan.seed}
+        kept = {
+            "weights": self.slow.state_dict(),
+            "quick": self.network.state_dict(),
+            "steps": self.steps,
+            "seed": self.plan.seed,
+        }
         part = self.file.with_suffix(".part")
         torch.save(kept, part)
         os.replace(part, self.file)

@@ -17,9 +17,10 @@ from .words import NOTHING
 
 @dataclass(frozen=True)
 class Settings:
-    """Of one trial. Curves as in `guide.Settings`; each step sees `views` of each curve, `turned` or as they are, and one time for all.
+    """Of one trial. Curves as in `guide.Settings`, and `length` weighs their length; each step sees `views` of each curve, `turned` or as they are, and one time for all.
     `scale` is that of guidance. A time lies anywhere between `least` and `most`, shares of all times that change in straight lines from
-    the first step's to the last's. The pull is smeared over squares of up to 2 ^ `levels` pixels (see `smeared`). `sds` and `cosine` weigh the pull and the mean cosine of the guiding networks."""
+    the first step's to the last's. The pull is smeared over squares of up to 2 ^ `levels` pixels (see `smeared`). `sds` and `cosine` weigh the pull and the mean cosine of the guiding networks.
+    """
 
     controls: int = 56
     steps: int = 300
@@ -28,6 +29,7 @@ class Settings:
     turned: bool = True
     width: float = 1.6
     smooth: float = 0.3
+    length: float = 0.0
     start: str = "ring"
     seed: int = 0
     scale: float = 10.0
@@ -55,7 +57,7 @@ def distil(network, rows: torch.Tensor, settings: Settings, guides=()) -> torch.
             points = curves.turned(points, random)
         width = s.width * (0.8 + 0.5 * torch.rand(len(points), generator=random))
         ink = curves.draw(points, width)
-        loss = s.smooth * roughness(controls).sum()
+        loss = s.smooth * roughness(controls).sum() + s.length * length(controls).sum()
         if s.sds:
             t = time(step / s.steps, s, random)
             d_ink = -2 * smeared(pull(network, 1 - 2 * ink.detach(), target, t, s.scale, random), s.levels)
@@ -98,6 +100,11 @@ def time(share: float, settings: Settings, random: torch.Generator) -> int:
     least, most = (first + (last - first) * share for first, last in (settings.least, settings.most))
     found = least + (max(most, least) - least) * float(torch.rand((), generator=random))
     return min(max(round(found * STEPS), 1), STEPS) - 1
+
+
+def length(controls: torch.Tensor) -> torch.Tensor:
+    """[n]: of the control polygons [n,k,2]."""
+    return (controls - controls.roll(1, 1)).square().sum(-1).add(1e-8).sqrt().sum(1)
 
 
 def roughness(controls: torch.Tensor) -> torch.Tensor:

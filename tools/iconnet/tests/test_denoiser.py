@@ -37,7 +37,9 @@ def test_the_denoiser_is_small_and_hears_time_and_word():
     assert sum(p.numel() for p in network.parameters()) < 1.9e6
     torch.nn.init.normal_(network.unfold[-1].weight, std=0.1, generator=torch.Generator().manual_seed(0))
     random = torch.Generator().manual_seed(0)
-    x, words = torch.randn(2, 1, 64, 64, generator=random), torch.nn.functional.normalize(torch.randn(2, EMBED, generator=random))
+    x, words = torch.randn(2, 1, 64, 64, generator=random), torch.nn.functional.normalize(
+        torch.randn(2, EMBED, generator=random)
+    )
     with torch.no_grad():
         found = network(x, torch.tensor([100.0, 100.0]), words)
         later = network(x, torch.tensor([900.0, 100.0]), words)
@@ -75,7 +77,9 @@ def test_no_tested_icon_and_no_held_out_word_is_shown(trainer):
 
 
 def test_things_are_what_emoji_are_called():
-    icons = data.Icons([diffuse.EMOJI, "bi", "bi", "bi"], ["v"] * 4, ["tabby", "cat", "tabby", "tab"], [["cat"], [], [], ["cat"]], None, None)
+    icons = data.Icons(
+        [diffuse.EMOJI, "bi", "bi", "bi"], ["v"] * 4, ["tabby", "cat", "tabby", "tab"], [["cat"], [], [], ["cat"]], None, None
+    )
     assert diffuse.things(icons).tolist() == [True, True, True, False]
 
 

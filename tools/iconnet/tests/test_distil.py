@@ -81,5 +81,8 @@ def test_a_shipped_networks_cosine_has_the_gradient_of_finite_differences():
 def test_cosines_pull_too():
     network = Shipped(WEIGHTS, "a")
     settings = Settings(steps=15, views=2, controls=24, sds=0.0, cosine=1.0)
-    reached = [float(network.cosines(distil.distil(None, word(), s, [network.cosines]), word())) for s in (settings, dataclasses.replace(settings, steps=0))]
+    reached = [
+        float(network.cosines(distil.distil(None, word(), s, [network.cosines]), word()))
+        for s in (settings, dataclasses.replace(settings, steps=0))
+    ]
     assert reached[0] > reached[1] + 0.02

@@ -5,11 +5,12 @@ import json
 
 import numpy as np
 import pytest
+import torch
 
-from iconnet import export
+from iconnet import curves, denoiser, export
 from iconnet.places import WEIGHTS
 from iconnet.table import Table
-from iconnet.words import EMBED
+from iconnet.words import EMBED, NOTHING
 
 NAMES = ("a", "b", "judge")
 
@@ -58,3 +59,34 @@ def test_the_word_table_is_small_and_knows_plain_words():
     assert table["cat"] @ table["kitten"] > table["cat"] @ table["airplane"]
     facts = json.loads((WEIGHTS / "words.json").read_text(encoding="utf-8"))
     assert facts["sha256"] == hashlib.sha256((WEIGHTS / "words.bin").read_bytes()).hexdigest()
+
+
+def test_the_denoiser_is_small_and_passes_its_own_check():
+    export.exporter()
+    from guidance import check
+
+    file = WEIGHTS / "iconnet-denoiser.onnx"
+    facts = check.check(file)
+    assert (facts["kind"], facts["latent"], facts["context"]) == ("eps-v1", [1, 64, 64], [1, EMBED])
+    assert facts["schedule"] == {"kind": "cosine", "steps": 1000} and facts["nothing"] == NOTHING.tolist()
+    assert file.stat().st_size < 4_000_000
+
+
+def test_the_denoiser_finds_a_lines_noise_and_hears_words():
+    export.exporter()
+    from guidance.runtime import Session
+
+    session, table, random = Session(WEIGHTS / "iconnet-denoiser.onnx"), Table(WEIGHTS), np.random.default_rng(0)
+    ring = curves.basis(32, 256) @ curves.ring_controls(1, 32, torch.Generator().manual_seed(0), noise=0)
+    picture = 1 - 2 * curves.draw(ring, torch.tensor([1.8])).numpy()
+
+    def eps(x_t, t, word):
+        row = NOTHING if word is None else table[word]
+        return session.run({"x_t": x_t, "t": np.array([t], np.float32), "context": row[None, None]})["eps"]
+
+    for t, most in ((300, 0.2), (600, 0.15)):
+        left = float(denoiser.alpha_bar()[t])
+        noise = random.normal(size=picture.shape).astype(np.float32)
+        x_t = left**0.5 * picture + (1 - left) ** 0.5 * noise
+        assert float(((eps(x_t, t, None) - noise) ** 2).mean()) < most
+    assert np.abs(eps(x_t, 900, "house") - eps(x_t, 900, "fish")).max() > 0.01
