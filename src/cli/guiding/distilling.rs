@@ -12,7 +12,8 @@ use wire4d_guidance::{Contexts, OnnxDenoiser, OnnxEncoder};
 
 /// By this name the session knows it.
 const NAME: &str = "--denoise";
-/// How much of the difference between words and none counts: the paper's for latents, and for pixels what our denoiser's trials took.
+/// How much of the difference between words and none counts: the paper's for latents, and what trials of the small denoiser
+/// took for pixels.
 const SCALES: [f32; 2] = [100.0, 50.0];
 
 /// A diffusion model, and how it is asked.
