@@ -344,7 +344,7 @@ fn with_guidance(command: Command, task: Task) -> Command {
         )
         .arg(number(
             "denoise-scale",
-            "How much of the difference between the words and none counts [default: 100 with --encode, else 7.5]",
+            "How much of the difference between the words and none counts [default: 100 with --encode, else 50]",
         ))
         .arg(
             number("denoise-weight", "Weight of what --denoise says, where the comparison of pictures weighs 1")

@@ -84,7 +84,7 @@ fn views_are_guided_beside_drawings_and_resumed_bit_for_bit() {
         let whole = run_of(plan(), Some(undrawn));
         let views = whole.result().views;
         assert_eq!(views.len(), undrawn + 1, "views that are drawn already are not added");
-        assert!(views[0].recall_2px.unwrap() > 0.9, "{:?}", views[0]);
+        assert!(views[0].recall_2px.unwrap() > 0.8, "{:?}", views[0]);
         assert!(views[undrawn].soft_iou.is_none() && views[undrawn].bent.is_none());
         assert_eq!(whole.bent().unwrap().len(), views.len());
         let plain = run_of(plan(), None);

@@ -12,8 +12,9 @@ use wire4d_guidance::{Contexts, OnnxDenoiser, OnnxEncoder};
 
 /// By this name the session knows it.
 const NAME: &str = "--denoise";
-/// How much of the difference between words and none counts: the paper's for latents, and what suits pixels.
-const SCALES: [f32; 2] = [100.0, 7.5];
+/// How much of the difference between words and none counts: the paper's for latents, and what trials of the small denoiser
+/// took for pixels.
+const SCALES: [f32; 2] = [100.0, 50.0];
 
 /// A diffusion model, and how it is asked.
 pub struct Distilling {

@@ -24,8 +24,8 @@ const ONE: &[&str] =
 /// For three views as the paper: points spread in a ball, those that vanish start again, and the wire is refined; kept smooth.
 const THREE: &[&str] = &[
     "--size=128",
-    "--iterations=900",
-    "--guide-weight=2",
+    "--iterations=300",
+    "--guide-weight=0.6",
     "--start=ball",
     "--control-points=100",
     "--min-width=0",
@@ -38,8 +38,8 @@ const THREE: &[&str] = &[
 const TRIPLES: [[&str; 3]; 3] =
     [["deciduous tree", "money bag", "ufo"], ["telephone", "water pistol", "baby"], ["fish", "cat", "umbrella"]];
 const VIEWS: [&str; 3] = ["front", "side", "top"];
-/// Where three wires of a word each are also seen from, azimuth and elevation in degrees.
-const TURNED: [&str; 3] = ["35,0", "60,0", "90,0"];
+/// Where wires of three words are also seen from, azimuth and elevation in degrees.
+const TURNED: [&str; 2] = ["35,15", "60,15"];
 
 struct Options {
     three: bool,
@@ -184,7 +184,7 @@ impl Made {
         let mut pictures: Vec<PathBuf> =
             VIEWS.iter().take(self.words.len()).map(|view| self.out.join(format!("{view}.png"))).collect();
         if self.words.len() > 1 {
-            for view in &TURNED[..2] {
+            for view in TURNED {
                 pictures.push(rendered(&self.out, view)?);
             }
         }

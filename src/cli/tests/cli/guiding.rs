@@ -158,7 +158,7 @@ fn a_diffusion_model_guides_alone_or_beside_networks() {
     let (report, wire) = made("pixels", &by_pixels);
     let told = &report["distillation"];
     assert_eq!((&told["denoiser"]["name"], &told["times"]), (&"eps-pixels-tiny".into(), &"falling".into()));
-    assert!(told["scale"] == 7.5 && told["weight"] == 1.0 && told["encoder"].is_null() && told["trouble"].is_null());
+    assert!(told["scale"] == 50.0 && told["weight"] == 1.0 && told["encoder"].is_null() && told["trouble"].is_null());
     assert_eq!(told["views"], json!([{ "view": "front", "words": "fish" }, { "view": "top", "words": "bird" }]));
     assert!(report.get("guidance").is_none());
     assert!(made("again", &by_pixels).1 == wire, "the same seed is the same wire");
