@@ -13,7 +13,6 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from torch.nn import functional as F
 
 from . import data, denoiser, evaluate, split, views
 from .networks import SIZE

@@ -2,7 +2,7 @@
 
 A view of the curve is noised, and the denoiser says what the noise was, told the word and told nothing. What it would take away beyond
 the noise that was added is the pull on the picture: `w(t) (eps_hat - eps)`, `eps_hat = u + scale (c - u)` (Poole et al. 2022; Ho and
-Salimans 2022). Everything is as in the app, so that settings found here hold there.
+Salimans 2022). Formulas and weights are those of the app, so that settings found here say something there.
 """
 
 from dataclasses import dataclass
@@ -17,23 +17,23 @@ from .words import NOTHING
 
 @dataclass(frozen=True)
 class Settings:
-    """Of one trial. Curves as in `guide.Settings`, and `length` weighs their length; each step sees `views` of each curve, `turned` or as they are, and one time for all.
-    `scale` is that of guidance. A time lies anywhere between `least` and `most`, shares of all times that change in straight lines from
-    the first step's to the last's. The pull is smeared over squares of up to 2 ^ `levels` pixels (see `smeared`). `sds` and `cosine` weigh the pull and the mean cosine of the guiding networks.
-    """
+    """Of one trial. Curves as in `guide.Settings`, and `length` weighs their length; each step sees `views` of each curve, `turned` or as
+    they are, and one time for all. `scale` is that of guidance. A time lies anywhere between `least` and `most`, shares of all times that
+    change in straight lines from the first step's to the last's. The pull is smeared over squares of up to 2 ^ `levels` pixels (see
+    `smeared`). `sds` and `cosine` weigh the pull and the mean cosine of the guiding networks."""
 
     controls: int = 56
-    steps: int = 300
+    steps: int = 150
     rate: float = 0.02
-    views: int = 4
+    views: int = 2
     turned: bool = True
     width: float = 1.6
     smooth: float = 0.3
-    length: float = 0.0
+    length: float = 0.03
     start: str = "ring"
     seed: int = 0
-    scale: float = 10.0
-    least: tuple[float, float] = (0.02, 0.02)
+    scale: float = 50.0
+    least: tuple[float, float] = (0.3, 0.1)
     most: tuple[float, float] = (0.98, 0.5)
     levels: int = 0
     sds: float = 100.0
