@@ -66,6 +66,7 @@ impl Distilling {
         wording.iter().try_for_each(|words| contexts.prompt(words).map(|_| ()))?;
         let annealing = match matches.get_one::<String>("denoise-times").map(String::as_str) {
             Some("dreamtime") => Annealing::DREAM_TIME,
+            _ if encoder.is_none() => Annealing::OF_PIXELS,
             _ => Annealing::FALLING,
         };
         let scale = scale.unwrap_or(SCALES[usize::from(encoder.is_none())]);

@@ -117,7 +117,10 @@ pub fn by_diffusion(
     };
     let prompts: Result<Vec<_>> = list(contexts, "contexts")?.iter().map(prompt).collect();
     // Each look costs two runs of an encoder.
-    let look = if encoder.is_object() { Look::Whole } else { Look::WORDS };
+    let (look, annealing) = match encoder.is_object() {
+        true => (Look::Whole, Annealing::FALLING),
+        false => (Look::WORDS, Annealing::OF_PIXELS),
+    };
     let encoder = match encoder.is_object() {
         false if !matches!(shape, [1 | 3, rows, columns] if rows == columns) => {
             return Err(wrong("it sees no square pictures, and there is no encoder"));
@@ -131,7 +134,7 @@ pub fn by_diffusion(
         denoiser: Box::new(AskedDenoiser { model: Asked::new(denoiser)?, shape }),
         encoder,
         diffusion: schedule(&member(&options, "schedule"))?,
-        annealing: Annealing::FALLING,
+        annealing,
         look,
         prompts: prompts?,
         scale: member(&options, "scale").as_f64().unwrap_or(100.0) as f32,

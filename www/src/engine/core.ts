@@ -16,7 +16,7 @@ export interface Diffusing extends Pick<DiffusionOptions, "schedule"> {
 }
 
 /** How much of the difference between words and nothing counts: of latents as in DreamFusion, of pixels less. */
-const SCALE = { latents: 100, pixels: 7.5 };
+const SCALE = { latents: 100, pixels: 50 };
 
 export type Bytes = Uint8Array<ArrayBuffer>;
 

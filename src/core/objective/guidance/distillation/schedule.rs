@@ -65,11 +65,11 @@ pub enum Annealing {
         /// Where it ends, and how wide it falls off below.
         least: [f64; 2],
     },
-    /// Any time between `least` and a maximum that falls in a straight line, as shares of all times.
+    /// Any time between two that fall in straight lines, as shares of all times.
     Falling {
-        /// The least.
-        least: f64,
-        /// The maximum at the start and at the end.
+        /// The least at the start and at the end.
+        least: [f64; 2],
+        /// The most, likewise.
         most: [f64; 2],
     },
 }
@@ -78,14 +78,16 @@ impl Annealing {
     /// DreamTime with its authors' numbers: for 1000 times.
     pub const DREAM_TIME: Annealing = Annealing::DreamTime { most: [800.0, 300.0], least: [500.0, 100.0] };
     /// As the paper's code: from .98 to .5.
-    pub const FALLING: Annealing = Annealing::Falling { least: 0.02, most: [0.98, 0.5] };
+    pub const FALLING: Annealing = Annealing::Falling { least: [0.02, 0.02], most: [0.98, 0.5] };
+    /// For models of pixels: where there is little noise they see a wire's edges and no thing (tried in `tools/iconnet`).
+    pub const OF_PIXELS: Annealing = Annealing::Falling { least: [0.3, 0.1], most: [0.98, 0.5] };
 
     /// The time, 1 to [`Diffusion::steps`], when `share` of the fit (0 to 1) is done.
     pub fn time(self, diffusion: &Diffusion, share: f64, rng: &mut Rng) -> usize {
         let steps = diffusion.steps();
         match self {
-            Annealing::Falling { least, most: [from, to] } => {
-                let most = from + (to - from) * share;
+            Annealing::Falling { least, most } => {
+                let [least, most] = [least, most].map(|[from, to]| from + (to - from) * share);
                 let time = rng.range(least, most.max(least)) * steps as f64;
                 (time.round() as usize).clamp(1, steps)
             }
