@@ -6,7 +6,14 @@ from pathlib import Path
 
 from .errors import GuidanceError, SourceError
 
-PARTS = {"image": "guidance-v1", "text": "text-v1", "context": "context-v1", "pose": "pose-v1", "latent": "vjp-v1", "denoiser": "eps-v1"}
+PARTS = {
+    "image": "guidance-v1",
+    "text": "text-v1",
+    "context": "context-v1",
+    "pose": "pose-v1",
+    "latent": "vjp-v1",
+    "denoiser": "eps-v1",
+}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -87,7 +94,9 @@ def _name(text: str) -> str:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="python -m guidance", description="Frozen networks as ONNX files that give gradients.")
+    parser = argparse.ArgumentParser(
+        prog="python -m guidance", description="Frozen networks as ONNX files that give gradients."
+    )
     verbs = parser.add_subparsers(required=True, metavar="VERB")
 
     export = verbs.add_parser("export", help="write NAME.onnx and NAME.json")
@@ -108,7 +117,9 @@ def _parser() -> argparse.ArgumentParser:
     prompts = verbs.add_parser("prompts", help="write embeddings of prompts as JSON")
     prompts.add_argument("file", type=Path, metavar="TEXT.onnx", help="a text-v1 file with its tokenizer beside it")
     prompts.add_argument("prompts", nargs="+", metavar="PROMPT")
-    prompts.add_argument("--templates", type=Path, metavar="TXT", help="one a line, each with {} for the prompt; their mean counts")
+    prompts.add_argument(
+        "--templates", type=Path, metavar="TXT", help="one a line, each with {} for the prompt; their mean counts"
+    )
     prompts.add_argument("--out", type=Path, required=True, metavar="JSON")
     prompts.set_defaults(run=_prompts)
 

@@ -160,7 +160,9 @@ def denoiser(given: Denoiser, label: Label, folder: Path, weights="fp32") -> Rep
         said = contracts.nothing_faults(facts)
         if said:
             raise ModelError(" ".join(said))
-    return _write(losses.eps(given.network), contracts.eps(given.latent, given.context, given.beside), facts, label, folder, weights)
+    return _write(
+        losses.eps(given.network), contracts.eps(given.latent, given.context, given.beside), facts, label, folder, weights
+    )
 
 
 def pose_encoder(given: PoseEncoder, label: Label, folder: Path, weights="fp32") -> Report:
@@ -179,7 +181,9 @@ def _picture_facts() -> dict:
     return {"range": [0, 1], "layout": "NCHW", "colour": "sRGB"}
 
 
-def _write_of_words(function, contract: Contract, facts: dict, tokenizer: dict | None, label: Label, folder: Path, weights: str):
+def _write_of_words(
+    function, contract: Contract, facts: dict, tokenizer: dict | None, label: Label, folder: Path, weights: str
+):
     if tokenizer is not None:
         facts["tokenizer"] = f"{label.name}.tokenizer.json"
     report = _write(function, contract, facts, label, folder, weights)

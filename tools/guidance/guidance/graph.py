@@ -59,9 +59,7 @@ def packed(program: onnx.ModelProto) -> bytes:
 
 def _program(function, example, contract) -> onnx.ModelProto:
     # Marked, since inner values may bear the same names: torch calls the result of aten.embedding `embedding`.
-    names = dict(
-        input_names=[MARK + p.name for p in contract.inputs], output_names=[MARK + p.name for p in contract.outputs]
-    )
+    names = dict(input_names=[MARK + p.name for p in contract.inputs], output_names=[MARK + p.name for p in contract.outputs])
     # Weights are real tensors, and so are the matrices that rules make.
     tracing = dict(tracing_mode="symbolic", _allow_non_fake_inputs=True) if contract.dynamic else dict(tracing_mode="real")
     traced = make_fx(function, decomposition_table=adjoints.table(), **tracing)(*example)
@@ -70,7 +68,9 @@ def _program(function, example, contract) -> onnx.ModelProto:
     traced.eval()
     if contract.dynamic:
         batch = torch.export.Dim(BATCH, min=2, max=1024)
-        traced = torch.export.export(traced, example, dynamic_shapes=tuple({0: batch} if BATCH in port.shape else {} for port in contract.inputs))
+        traced = torch.export.export(
+            traced, example, dynamic_shapes=tuple({0: batch} if BATCH in port.shape else {} for port in contract.inputs)
+        )
         exported = torch.onnx.export(traced, dynamo=True, opset_version=OPSET, verbose=False, **names)
     else:
         exported = torch.onnx.export(traced, example, dynamo=True, opset_version=OPSET, verbose=False, **names)

@@ -120,7 +120,10 @@ def test_zero_1_to_3(tmp_path):
     clip.save_pretrained(folder / "image_encoder")
     projection = torch.nn.Linear(16, 16)
     (folder / "cc_projection").mkdir()
-    save_file({"projection.weight": projection.weight.data, "projection.bias": projection.bias.data}, folder / "cc_projection/a.safetensors")
+    save_file(
+        {"projection.weight": projection.weight.data, "projection.bias": projection.bias.data},
+        folder / "cc_projection/a.safetensors",
+    )
 
     given = diffusers.denoiser(str(folder / "unet"))
     facts = exports(export.denoiser, given, tmp_path)

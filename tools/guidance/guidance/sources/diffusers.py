@@ -52,7 +52,9 @@ def latent_of(vae: torch.nn.Module, pixels: int = PIXELS) -> export.LatentEncode
     return export.LatentEncoder(network, (pixels, pixels), tuple(int(d) for d in shape[1:]))
 
 
-def denoiser_of(unet: torch.nn.Module, grows=schedule.STABLE_DIFFUSION, tokens: int = 77, scale: float = SCALE) -> export.Denoiser:
+def denoiser_of(
+    unet: torch.nn.Module, grows=schedule.STABLE_DIFFUSION, tokens: int = 77, scale: float = SCALE
+) -> export.Denoiser:
     """A UNet2DConditionModel that is there already. `scale` is the latents', where it takes a second one.
 
     Raises SourceError where it takes something else beside a latent."""
@@ -63,7 +65,9 @@ def denoiser_of(unet: torch.nn.Module, grows=schedule.STABLE_DIFFUSION, tokens: 
     if more == 0:
         return export.Denoiser(_Denoiser(unet), shape, (tokens, config.cross_attention_dim), grows)
     if more != config.out_channels:
-        raise SourceError(f"The UNet takes {more} channels beside a latent's {config.out_channels}: it is for painting over, not for guidance.")
+        raise SourceError(
+            f"The UNet takes {more} channels beside a latent's {config.out_channels}: it is for painting over, not for guidance."
+        )
     # Nothing is no picture and no pose at once.
     context = (1, config.cross_attention_dim)
     return export.Denoiser(_Beside(unet, scale), shape, context, grows, np.zeros(context), shape)
