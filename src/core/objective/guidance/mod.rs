@@ -54,7 +54,7 @@ mod patches;
 pub use distillation::{Annealing, Denoiser, Diffusion, Distilled, Encoder, Latent, Prompt, relative_pose};
 pub use guides::Guides;
 pub use learned::{Aim, Learned, Member, PICTURE_WEIGHT, WORDS_WEIGHT};
-pub use network::{Answer, Batch, Network, likeness, similarity};
+pub use network::{Answer, Batch, Network, embedding, likeness, similarity};
 pub use patches::{Look, Patch};
 
 use crate::Result;

@@ -56,14 +56,22 @@ pub async fn similarity(network: &mut dyn Network, ink: &Image, target: &[f32]) 
     Ok(looked_at(network, ink, target).await?.cos[0])
 }
 
+/// What `network` sees in all of `ink`: a unit vector.
+///
+/// # Errors
+/// As [`Network::run`].
+pub async fn embedding(network: &mut dyn Network, ink: &Image) -> Result<Vec<f32>> {
+    // Any unit vector: nothing comes back of it.
+    let target: Vec<f32> = (0..network.embed()).map(|i| f32::from(i == 0)).collect();
+    Ok(looked_at(network, ink, &target).await?.embedding)
+}
+
 /// The cosine between what `network` sees in all of two pictures of ink.
 ///
 /// # Errors
 /// As [`Network::run`].
 pub async fn likeness(network: &mut dyn Network, ink: &Image, other: &Image) -> Result<f32> {
-    // Any unit vector: nothing comes back of it.
-    let target: Vec<f32> = (0..network.embed()).map(|i| f32::from(i == 0)).collect();
-    let seen = looked_at(network, other, &target).await?.embedding;
+    let seen = embedding(network, other).await?;
     similarity(network, ink, &seen).await
 }
 
