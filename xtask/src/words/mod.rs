@@ -192,11 +192,12 @@ impl Made {
     }
 
     fn line(&self, view: usize, rank: usize, first: &str) -> String {
-        let cos = self.report["guidance"]["views"][view]["cos"].as_f64().unwrap_or(f64::NAN);
+        let cos =
+            self.report["guidance"]["views"][view]["cos"].as_f64().map_or("–".into(), |cos| format!("{cos:.2}"));
         let (word, side) = (&self.words[view], VIEWS[view]);
         let seconds = self.report["time"]["total_s"].as_f64().unwrap_or(f64::NAN);
         let figures = elegance::cells(&[&elegance::Figures::of(&self.report, &self.out)]);
-        format!("| {word} | {side} | {rank} | {cos:.2} | {first} | {seconds:.1} |{figures}")
+        format!("| {word} | {side} | {rank} | {cos} | {first} | {seconds:.1} |{figures}")
     }
 }
 
