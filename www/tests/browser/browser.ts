@@ -94,6 +94,15 @@ export interface VisitOptions extends BrowserContextOptions, Hardship {
 /** A smallest window that must still do, in CSS pixels. */
 export const SMALL = { width: 320, height: 480 } as const;
 
+/** An engine's script that keeps its graphics devices at hand, as `self.devices`. */
+export const KEEP_DEVICES = `
+  const request = GPUAdapter.prototype.requestDevice;
+  GPUAdapter.prototype.requestDevice = async function (...given) {
+    const device = await request.apply(this, given);
+    (self.devices ??= []).push(device);
+    return device;
+  };`;
+
 /**
  * A visit with a fresh profile, or with a `contextWithProfile`'s; the latter has its own viewport and colours, so only
  * the hardships and `slower` count then.

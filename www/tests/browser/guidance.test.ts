@@ -12,7 +12,7 @@ import { feedsOf } from "../../src/guidance/selftest";
 import { readSidecar } from "../../src/guidance/sidecar";
 import { message, withoutWeights } from "../../src/guidance/test-onnx";
 import { inspect } from "./a11y";
-import { contextWithProfile, DIST, requestsElsewhere, ROOT, settled, visit, type VisitOptions } from "./browser";
+import { contextWithProfile, DIST, KEEP_DEVICES, requestsElsewhere, ROOT, settled, visit, type VisitOptions } from "./browser";
 import { openSite } from "./site";
 
 const FOLDER = join(ROOT, "tests/data/guidance");
@@ -172,15 +172,12 @@ it.each([
 });
 
 it("says that a card was lost, and opens the model again on another", async () => {
-  const KEEP_DEVICES = `
-    const request = GPUAdapter.prototype.requestDevice;
-    GPUAdapter.prototype.requestDevice = async function (...given) { return (self.device = await request.apply(this, given)); };`;
   const { page, call, open, problem, own } = await engine({ inEngine: KEEP_DEVICES });
   const openOnCard = () => open({ files: ["onnx", "json"].map((ending) => file(`text-tiny.${ending}`, read(`text-tiny.${ending}`))) }, { prefer: "webgpu" });
   await openOnCard();
   const ask = (): Promise<unknown> => call("askGuidance", { question: { kind: "text-v1", inputs: { ids: { i32: Array.from({ length: 16 }, (_, i) => i) } } } });
   expect(await problem(ask())).toBe("");
-  await (await own()).evaluate(() => (self as unknown as { device: { destroy(): void } }).device.destroy());
+  await (await own()).evaluate(() => (self as unknown as { devices: { destroy(): void }[] }).devices.at(-1)!.destroy());
   expect(await problem(ask())).toMatch(/^“text-tiny” could not be computed \(.*\)\. Open it again/);
   expect((await openOnCard()).provider).toBe("webgpu");
   expect(await problem(ask())).toBe("");
@@ -433,13 +430,6 @@ it("says what a model is before it is used, and what there is to do with it", as
 });
 
 it("computes on the very card that runs are computed on, and leaves it alone", async () => {
-  const KEEP_DEVICES = `
-    const request = GPUAdapter.prototype.requestDevice;
-    GPUAdapter.prototype.requestDevice = async function (...given) {
-      const device = await request.apply(this, given);
-      (self.devices ??= []).push(device);
-      return device;
-    };`;
   const { page, call, open, problem, own } = await engine({ inEngine: KEEP_DEVICES });
   const devices = async (): Promise<number> => (await own()).evaluate(() => (self as unknown as { devices: unknown[] }).devices.length);
   expect(await call("place", { backend: "gpu" })).toMatchObject({ backend: "gpu" });

@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { idle, phase, runButton, runSettings, shoot, visit, type VisitOptions } from "./browser";
+import { idle, KEEP_DEVICES, phase, runButton, runSettings, shoot, visit, type VisitOptions } from "./browser";
 import { padsReady } from "./pads";
 import { openSite } from "./site";
 
@@ -12,15 +12,6 @@ const ELSEWHERE = "wire4d.test";
 /** Small: SwiftShader computes it. */
 const small = (iterations: number) => `#v=1&preset=fast&size=64&control_points=40&samples=2&grid=32&iterations=${iterations}`;
 const SWIFTSHADER = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", `--host-resolver-rules=MAP ${ELSEWHERE} 127.0.0.1`];
-/** Keeps the engine's devices at hand. */
-const KEEP_DEVICES = `
-  const request = GPUAdapter.prototype.requestDevice;
-  GPUAdapter.prototype.requestDevice = async function (...given) {
-    const device = await request.apply(this, given);
-    (self.devices ??= []).push(device);
-    return device;
-  };`;
-
 const { browser, site } = await openSite("/", { args: SWIFTSHADER });
 
 /** Stops a run so long that nobody can miss it running. */
