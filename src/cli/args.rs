@@ -72,6 +72,12 @@ pub fn command() -> Command {
                         .requires("guide")
                         .help("The sides are to be like the picture, as --guide sees both; best with other sides often, such as --new-sides 2"),
                 )
+                .arg(
+                    file("pose", "What asks --denoise for new views of the picture, as Zero-1-to-3 knows them, in place of words")
+                        .long("pose")
+                        .value_name("FILE.onnx")
+                        .requires("denoise"),
+                )
                 .arg(out_folder())
                 .arg(overwrite()),
             Task::Stroke,
@@ -277,7 +283,7 @@ fn with_guidance(command: Command, task: Task) -> Command {
         let arg = Arg::new(name).long(name).value_name("N").value_parser(value_parser!(f32));
         arg.allow_negative_numbers(true).help(help)
     };
-    let aims: &[&str] = if task == Task::Stroke { &["words", "like-picture"] } else { &["words"] };
+    let aims: &[&str] = if task == Task::Stroke { &["words", "like-picture", "pose"] } else { &["words"] };
     command
         .group(ArgGroup::new("network").args(["guide", "denoise"]).multiple(true))
         .group(ArgGroup::new("aim").args(aims).multiple(true))
@@ -328,7 +334,7 @@ fn with_guidance(command: Command, task: Task) -> Command {
             file("denoise", "A diffusion model that pulls views towards words (score distillation): a file of tools/guidance")
                 .long("denoise")
                 .value_name("FILE.onnx")
-                .requires("words"),
+                .requires("aim"),
         )
         .arg(
             file("encode", "What makes latents of pictures for --denoise, likewise; none for a model of pixels")
@@ -344,7 +350,7 @@ fn with_guidance(command: Command, task: Task) -> Command {
         )
         .arg(number(
             "denoise-scale",
-            "How much of the difference between the words and none counts [default: 100 with --encode, else 50]",
+            "How much of the difference between the words and none counts [default: 100 with --encode, 3 with --pose, else 50]",
         ))
         .arg(
             number("denoise-weight", "Weight of what --denoise says, where the comparison of pictures weighs 1")

@@ -80,7 +80,11 @@ impl Making {
         let (optimize_s, iterations) = (total_s - start_s, run.session().iteration());
         let ms_per_iteration = 1000.0 * optimize_s / iterations.max(1) as f64;
         let time = TimeReport { total_s, start_s, optimize_s, iterations, ms_per_iteration };
-        Ok((time, guides.report(run, self)?))
+        let guided = guides.report(run)?;
+        for trouble in guided.troubles() {
+            self.say(&format!("went on without what was to guide: {trouble}"));
+        }
+        Ok((time, guided))
     }
 }
 

@@ -21,6 +21,8 @@ pub struct OnnxDenoiser {
     graph: Arc<Graph>,
     latent: [usize; 3],
     context: [usize; 2],
+    /// Whether it sees a latent of a reference beside the noise.
+    has_beside: bool,
     diffusion: Diffusion,
     nothing: Option<Vec<f32>>,
     facts: Arc<Facts>,
@@ -33,6 +35,9 @@ struct Own {
     latent: [usize; 3],
     /// Tokens, and numbers a token.
     context: [usize; 2],
+    /// What else it sees, of a reference; like its latent.
+    #[serde(default)]
+    beside: Option<[usize; 3]>,
     #[serde(default)]
     schedule: Schedule,
     /// The context of no words.
@@ -90,6 +95,9 @@ impl Kind for Own {
             .or_else(|| size_fault("context", tokens, 4096))
             .or_else(|| size_fault("context", width, MOST_CONTEXT / tokens))
             .or_else(|| self.schedule.fault())
+            .or_else(|| {
+                self.beside.filter(|beside| *beside != self.latent).map(|_| "its 'beside' is unlike its latent".into())
+            })
             .or_else(|| nothing().map(|_| format!("its 'nothing' is no list of {} numbers", tokens * width)))
     }
 }
@@ -101,14 +109,16 @@ impl OnnxDenoiser {
     /// Likewise.
     pub fn open(file: &Path) -> Result<OnnxDenoiser> {
         let (Sidecar { facts, selftest, own }, bytes) = Sidecar::<Own>::with_file(file)?;
-        let Own { latent, context, schedule, nothing } = own;
+        let Own { latent, context, beside, schedule, nothing } = own;
         let code = [None, Some(latent[0]), Some(latent[1]), Some(latent[2])];
         let context_port = Port::new("context", [None, Some(context[0]), Some(context[1])]);
-        let inputs = vec![Port::new("x_t", code), Port::new("t", [None]), context_port];
+        let mut inputs = vec![Port::new("x_t", code), Port::new("t", [None]), context_port];
+        inputs.extend(beside.map(|_| Port::new("beside", code)));
         let graph = Graph::open(&file.display().to_string(), &bytes, inputs, vec![Port::new("eps", code)])?;
         selftest.check(&graph)?;
         let diffusion = schedule.diffusion();
-        Ok(OnnxDenoiser { graph: Arc::new(graph), latent, context, diffusion, nothing, facts: Arc::new(facts) })
+        let (graph, facts, has_beside) = (Arc::new(graph), Arc::new(facts), beside.is_some());
+        Ok(OnnxDenoiser { graph, latent, context, has_beside, diffusion, nothing, facts })
     }
 
     /// What a person should know of it.
@@ -121,11 +131,43 @@ impl OnnxDenoiser {
         &self.diffusion
     }
 
+    /// Whether it knows new views of a thing: then a context is what [`NewViews`](crate::NewViews) makes, with the reference's
+    /// latent behind it.
+    pub fn is_of_views(&self) -> bool {
+        self.has_beside
+    }
+
+    fn knows_words(&self) -> Result<()> {
+        match self.has_beside {
+            true => Err(Error::input(
+                &self.facts.name,
+                "knows new views of a thing and no words",
+                "give --pose FILE with it",
+            )),
+            false => Ok(()),
+        }
+    }
+
+    /// Tokens, and numbers a token, of a context.
+    pub(crate) fn context(&self) -> [usize; 2] {
+        self.context
+    }
+
     fn answer(&self, x_t: &[f32], t: usize, contexts: &[f32]) -> Result<Vec<f32>> {
-        let rows = x_t.len() / self.latent.iter().product::<usize>();
+        let size = self.latent.iter().product::<usize>();
+        let rows = x_t.len() / size;
         // Times are counted from 1 here, and from 0 in files.
         let times = vec![t.saturating_sub(1) as f32; rows];
-        Ok(self.graph.run(vec![x_t.into(), times.into(), contexts.into()], rows)?.remove(0))
+        if !self.has_beside {
+            return Ok(self.graph.run(vec![x_t.into(), times.into(), contexts.into()], rows)?.remove(0));
+        }
+        let own: usize = self.context.iter().product();
+        let (mut asked, mut beside) = (Vec::new(), Vec::new());
+        for row in contexts.chunks(own + size) {
+            asked.extend_from_slice(&row[..own]);
+            beside.extend_from_slice(&row[own..]);
+        }
+        Ok(self.graph.run(vec![x_t.into(), times.into(), asked.into(), beside.into()], rows)?.remove(0))
     }
 }
 
@@ -188,6 +230,7 @@ impl Contexts {
                 false => Err(fault(format!("what it has for {prompt:?} is no base64 of {tokens} x {width} float32"))),
             }
         };
+        denoiser.knows_words()?;
         let own = contexts.into_iter().map(read).collect::<Result<Vec<_>>>()?;
         let empty = own.iter().find(|(prompt, _)| prompt.trim().is_empty()).map(|(_, values)| values.clone());
         let nothing = empty.or_else(|| denoiser.nothing.clone());
@@ -204,6 +247,7 @@ impl Contexts {
         let [tokens, width] = denoiser.context;
         let fault =
             |problem: String| Error::input(name, problem, "give its contexts, a contexts-v1 file, as --contexts");
+        denoiser.knows_words()?;
         if tokens != 1 {
             return Err(fault(format!("takes contexts of {tokens} x {width} numbers, which no word has")));
         }

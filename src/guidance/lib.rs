@@ -13,6 +13,7 @@ mod protobuf;
 mod selftest;
 mod sidecar;
 mod text;
+mod views;
 mod words;
 
 #[cfg(test)]
@@ -26,4 +27,5 @@ pub use encoder::OnnxEncoder;
 pub use network::OnnxNetwork;
 pub use sidecar::Facts;
 pub use text::TextEncoder;
+pub use views::{NewViews, OnnxPoses};
 pub use words::{Dictionary, WordTable};

@@ -163,6 +163,9 @@ pub struct DistillationReport {
     pub denoiser: NetworkReport,
     /// What its latents were made by; `None` where it sees pixels.
     pub encoder: Option<NetworkReport>,
+    /// What asked it for new views of the picture; `None` where words did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pose: Option<NetworkReport>,
     /// Weight of what it says, where the comparison of pictures weighs 1.
     pub weight: f32,
     /// How much of the difference between words and none counted.

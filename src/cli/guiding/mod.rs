@@ -4,7 +4,6 @@ mod distilling;
 mod networks;
 mod words;
 
-use crate::making::Making;
 use clap::ArgMatches;
 use distilling::Distilling;
 use networks::Guiding;
@@ -56,15 +55,19 @@ impl Guides {
         self.distilling.iter().try_for_each(|distilling| distilling.guide(run, &self.wording))
     }
 
-    /// What came of it. Says so where the run went on without.
-    pub fn report(&self, run: &Run, making: &Making) -> Result<Guided> {
+    /// What came of it.
+    pub fn report(&self, run: &Run) -> Result<Guided> {
         let guidance = self.guiding.as_ref().map(|guiding| guiding.report(run, &self.wording)).transpose()?;
         let distillation = self.distilling.as_ref().map(|distilling| distilling.report(run, &self.wording));
-        let troubles = guidance.iter().map(|report| &report.trouble);
-        for trouble in troubles.chain(distillation.iter().map(|report| &report.trouble)).flatten() {
-            making.say(&format!("went on without what was to guide: {trouble}"));
-        }
         Ok(Guided { guidance, distillation })
+    }
+}
+
+impl Guided {
+    /// Why the run went on without some of it.
+    pub fn troubles(&self) -> impl Iterator<Item = &String> {
+        let guidance = self.guidance.iter().filter_map(|report| report.trouble.as_ref());
+        guidance.chain(self.distillation.iter().filter_map(|report| report.trouble.as_ref()))
     }
 }
 

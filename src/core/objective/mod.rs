@@ -16,7 +16,7 @@ pub use clearance::{Clearance, MOST_NEIGHBOURS, Neighbours, clearance_and_gradie
 pub use elastic::{Elastic, ElasticTerms, STANDSTILL, elastic_and_gradient};
 pub use guidance::{
     Aim, Annealing, Answer, Batch, Denoiser, Diffusion, Distilled, Encoder, Guidance, Guides, Latent, Learned, Look,
-    Member, Network, PICTURE_WEIGHT, Patch, Progress, Prompt, Rendered, WORDS_WEIGHT, embedding, likeness,
+    Member, Network, PICTURE_WEIGHT, Patch, Progress, Prompt, Prompts, Rendered, WORDS_WEIGHT, embedding, likeness,
     relative_pose, similarity,
 };
 pub use multiscale_mse::{MultiscaleMse, Pyramid, level_sizes};

@@ -136,7 +136,7 @@ pub fn by_diffusion(
         diffusion: schedule(&member(&options, "schedule"))?,
         annealing,
         look,
-        prompts: prompts?,
+        prompts: Box::new(prompts?),
         scale: member(&options, "scale").as_f64().unwrap_or(100.0) as f32,
         clamp: f32::INFINITY,
         seed,

@@ -155,6 +155,29 @@ class TinyUnet(nn.Module):
         return self.last(self.after(torch.cat([high, low], 1), time))
 
 
+class TinyBeside(nn.Module):
+    """TinyUnet with a second latent beside the first."""
+
+    def __init__(self):
+        super().__init__()
+        self.unet = TinyUnet(channels=8)
+
+    def forward(self, x_t, t, context, beside):
+        return self.unet(torch.cat([x_t, beside], 1), t, context)[:, :4]
+
+
+class TinyPose(nn.Module):
+    """Means of 8 x 8 places of a picture of 32 px, and a pose, as a context of one token of 16 numbers."""
+
+    def __init__(self):
+        super().__init__()
+        self.layer = nn.Linear(3 * 16 + 4, 16)
+
+    def forward(self, image, pose):
+        seen = F.avg_pool2d(image, 8).flatten(1).expand(pose.shape[0], -1)
+        return self.layer(torch.cat([seen, pose], 1))[:, None]
+
+
 class TinySight(nn.Module):
     """What is red is the object, or near."""
 

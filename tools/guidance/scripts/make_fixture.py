@@ -11,11 +11,12 @@ from collections import Counter
 from pathlib import Path
 
 import numpy as np
+import torch
 
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tools/guidance"))
 
-from guidance import contracts, export, networks, noise, selftest, sidecar, sources, tokens  # noqa: E402
+from guidance import contracts, export, networks, noise, schedule, selftest, sidecar, sources, tokens  # noqa: E402
 from guidance.runtime import Session  # noqa: E402
 
 FOLDER = ROOT / "tests/data/guidance"
@@ -52,9 +53,15 @@ def make(folder: Path) -> None:
     for name, (write, part, model) in OTHERS.items():
         report = write(sources.load(part, model), export.Label(name, "random numbers, seeded", LICENCE), folder, "fp16")
         answers(report.file)
+    # Two of a model of new views, which sees latents of `vjp-tiny`.
+    torch.manual_seed(0)
+    label = lambda name: export.Label(name, "random numbers, seeded", LICENCE)
+    views = export.Denoiser(networks.TinyBeside(), (4, 8, 8), (1, 16), schedule.STABLE_DIFFUSION, np.zeros(16), (4, 8, 8))
+    answers(export.denoiser(views, label("eps-views-tiny"), folder, "fp16").file)
+    answers(export.pose_encoder(export.PoseEncoder(networks.TinyPose(), 32, (1, 16)), label("pose-tiny"), folder).file)
     for what in ("mask", "depth"):
-        label = export.Label(f"{what}-tiny", "what is red", LICENCE)
-        answers(export.sight(what, networks.TinySight(), (32, 32), label, folder).file)
+        made = export.Label(f"{what}-tiny", "what is red", LICENCE)
+        answers(export.sight(what, networks.TinySight(), (32, 32), made, folder).file)
     sidecar.write(formulas(), folder / "formulas.json")
 
 

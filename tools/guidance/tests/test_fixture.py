@@ -14,7 +14,7 @@ from tests.conftest import FIXTURE
 
 SCRIPT = Path(__file__).resolve().parents[1] / "scripts/make_fixture.py"
 FILE = FIXTURE / "vit-tiny.onnx"
-OTHERS = ("vjp-tiny", "eps-tiny", "eps-pixels-tiny", "mask-tiny", "depth-tiny")
+OTHERS = ("vjp-tiny", "eps-tiny", "eps-pixels-tiny", "eps-views-tiny", "pose-tiny", "mask-tiny", "depth-tiny")
 
 
 def test_answers_what_is_expected():

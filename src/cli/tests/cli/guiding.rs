@@ -300,3 +300,37 @@ fn sides_become_like_the_picture() {
         "--like-picture",
     );
 }
+
+#[test]
+fn a_model_of_new_views_pulls_the_sides_of_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = crate::repository().join("tests/data/guidance");
+    let picture = crate::repository().join("tests/strokes/star.png");
+    let [views, poses, encoder, words] =
+        ["eps-views-tiny", "pose-tiny", "vjp-tiny", "eps-tiny"].map(|name| data.join(format!("{name}.onnx")));
+    let run = |out: &str, more: &[&str]| {
+        let out = folder.path().join(out);
+        let quick = ["--preset", "fast", "--size", "64", "--iterations", "12", "--backend", "cpu", "--quiet"];
+        program(&[&["stroke", text(&picture), "--out", text(&out)][..], &quick, more].concat()).output().unwrap()
+    };
+    let made = |out: &str, more: &[&str]| {
+        succeeds(&run(out, more));
+        let out = folder.path().join(out);
+        (json(&out.join("report.json")), json(&out.join("wire.json"))["control_points"].clone())
+    };
+    let model = ["--denoise", text(&views), "--encode", text(&encoder), "--pose", text(&poses), "--new-sides", "2"];
+    let weighed = |out: &str, weight: &str| made(out, &[&model[..], &["--denoise-weight", weight]].concat());
+    let (unpulled, pulled) = (weighed("unpulled", "0"), weighed("pulled", "30"));
+    assert_eq!(made("plain", &["--new-sides", "2"]).1, unpulled.1, "a weight of 0 changes nothing");
+    assert!(pulled.1 != unpulled.1 && pulled.1 == weighed("again", "30").1);
+    let told = &pulled.0["distillation"];
+    assert_eq!((&told["pose"]["name"], &told["scale"]), (&json!("pose-tiny"), &json!(3.0)));
+    assert!(told["trouble"].is_null() && told["views"] == json!([]));
+
+    refused(
+        &run("other", &["--denoise", text(&words), "--encode", text(&encoder), "--pose", text(&poses)]),
+        "eps-tiny",
+    );
+    refused(&run("pixels", &["--denoise", text(&views), "--pose", text(&poses)]), "--encode");
+    refused(&run("words", &["--denoise", text(&views), "--encode", text(&encoder), "--words", "a cat"]), "--pose");
+}

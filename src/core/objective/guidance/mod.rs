@@ -51,7 +51,7 @@ mod learned;
 mod network;
 mod patches;
 
-pub use distillation::{Annealing, Denoiser, Diffusion, Distilled, Encoder, Latent, Prompt, relative_pose};
+pub use distillation::{Annealing, Denoiser, Diffusion, Distilled, Encoder, Latent, Prompt, Prompts, relative_pose};
 pub use guides::Guides;
 pub use learned::{Aim, Learned, Member, PICTURE_WEIGHT, WORDS_WEIGHT};
 pub use network::{Answer, Batch, Network, embedding, likeness, similarity};

@@ -7,6 +7,7 @@
 use super::{Annealing, Diffusion};
 use crate::objective::{Guidance, Look, Progress, Rendered};
 use crate::rng::Rng;
+use crate::view::Camera;
 use crate::work::Work;
 use crate::{Error, Result};
 
@@ -52,6 +53,22 @@ pub struct Prompt {
     pub nothing: Vec<f32>,
 }
 
+/// Says what views are to show.
+pub trait Prompts: Send {
+    /// Of the view of this index, as `camera` sees it now; nothing for a view that is left alone.
+    ///
+    /// # Errors
+    /// [`Error::Guidance`] for whatever keeps it from answering.
+    fn of<'a>(&'a mut self, view: usize, camera: &'a Camera<f32>) -> Work<'a, Result<Option<Prompt>>>;
+}
+
+/// One for each view, wherever that is seen from: words.
+impl Prompts for Vec<Option<Prompt>> {
+    fn of<'a>(&'a mut self, view: usize, _: &'a Camera<f32>) -> Work<'a, Result<Option<Prompt>>> {
+        Work::Done(Ok(self.get(view).cloned().flatten()))
+    }
+}
+
 /// A [`Guidance`] by a diffusion model.
 pub struct Distilled {
     /// The model.
@@ -64,8 +81,8 @@ pub struct Distilled {
     pub annealing: Annealing,
     /// What it is shown of a view: all of it, or several views of it, so that no single raster decides.
     pub look: Look,
-    /// What each view is to show; nothing for a view without.
-    pub prompts: Vec<Option<Prompt>>,
+    /// What each view is to show.
+    pub prompts: Box<dyn Prompts>,
     /// How much of the difference between asked for and nothing counts: 100 for words, 3 for views of a thing.
     pub scale: f32,
     /// The longest gradient to a number that the model sees, before weights; infinite for any.
@@ -157,7 +174,7 @@ impl Guidance for Distilled {
             let size = self.encoder.as_ref().map_or(rows, |encoder| encoder.size());
             let mut loss = 0.0;
             for (index, view) in views.iter_mut().enumerate() {
-                let Some(prompt) = self.prompts.get(index).cloned().flatten() else { continue };
+                let Some(prompt) = self.prompts.of(index, &view.camera).done().await? else { continue };
                 let patches = self.look.patches(view.width, view.height, self.seed, progress.iteration, index);
                 let (mut images, mut seen) = (Vec::new(), Vec::new());
                 for patch in &patches {
@@ -249,7 +266,7 @@ mod tests {
             diffusion,
             annealing: Annealing::FALLING,
             look: Look::Whole,
-            prompts: vec![Some(Prompt { context: vec![1.0], nothing: vec![0.0] }), None],
+            prompts: Box::new(vec![Some(Prompt { context: vec![1.0], nothing: vec![0.0] }), None]),
             scale,
             clamp: f32::INFINITY,
             seed: 1,

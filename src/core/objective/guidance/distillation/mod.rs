@@ -5,6 +5,6 @@ mod distilled;
 mod pose;
 mod schedule;
 
-pub use distilled::{Denoiser, Distilled, Encoder, Latent, Prompt};
+pub use distilled::{Denoiser, Distilled, Encoder, Latent, Prompt, Prompts};
 pub use pose::relative_pose;
 pub use schedule::{Annealing, Diffusion};
