@@ -21,7 +21,7 @@ const SCALE_OF_VIEWS: f32 = 3.0;
 /// What a model is asked for.
 enum Asked {
     /// Words.
-    Words(Contexts),
+    Words(Box<Contexts>),
     /// What the first view's picture shows, seen from where the others are.
     Views(OnnxPoses),
 }
@@ -70,10 +70,10 @@ impl Distilling {
         // Only one task has a single picture.
         let asked = match (matches.try_get_one::<PathBuf>("pose").ok().flatten(), contexts) {
             (Some(pose), _) => Asked::Views(OnnxPoses::open(pose, &denoiser)?),
-            (None, Some(contexts)) => Asked::Words(Contexts::open(&denoiser, contexts)?),
+            (None, Some(contexts)) => Asked::Words(Contexts::open(&denoiser, contexts)?.into()),
             (None, None) => {
                 let (table, text) = vocabulary(matches, file)?;
-                Asked::Words(Contexts::of_words(&denoiser, table, text)?)
+                Asked::Words(Contexts::of_words(&denoiser, table, text)?.into())
             }
         };
         if let Asked::Words(contexts) = &asked {
