@@ -141,7 +141,11 @@ mod tests {
 
     #[test]
     fn cells_have_mean_and_both_spreads() {
-        let text = markdown(&[measured()], &[("soft_iou", "soft IoU", 2), ("jerk", "jerk", 1)]);
+        let mut with_jerk = measured();
+        with_jerk.runs.iter_mut().flatten().for_each(|run| _ = run.insert("jerk".into(), 2.0));
+        // Nobody has a figure for the last one.
+        let columns = [("soft_iou", "soft IoU", 2), ("jerk", "jerk", 1), ("feature_distance", "feature distance", 3)];
+        let text = markdown(&[measured(), with_jerk], &columns);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[0], "| | soft IoU | jerk |");
         assert_eq!(lines[2], "| one, \"two\" | 0.40 ± 0.14 / 0.28 | – |");
