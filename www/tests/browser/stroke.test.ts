@@ -163,9 +163,9 @@ it("goes on while the other tab is looked at, and loses nothing of either", asyn
   await choose(page, "preset", "fast");
   await job(page, "One picture").click();
   await page.getByRole("button", { name: "Undo: Set preset" }).click();
-  expect(await job(page, "Three views").getAttribute("aria-selected")).toBe("true");
+  await expect.poll(() => job(page, "Three views").getAttribute("aria-selected")).toBe("true");
   await page.getByRole("button", { name: "Undo: Make the wire" }).click();
-  expect(await job(page, "One picture").getAttribute("aria-selected")).toBe("true");
+  await expect.poll(() => job(page, "One picture").getAttribute("aria-selected")).toBe("true");
   await page.getByText(/goes on round the back/).waitFor();
   await page.getByRole("button", { name: "Redo: Make the wire" }).click();
   await expect.poll(() => verdict(page)).toMatch(/front|wire is in/i);

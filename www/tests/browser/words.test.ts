@@ -5,7 +5,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { choose, DRAWINGS, give, idle, phase, requestsElsewhere, ROOT, runButton, shoot, visit, type Visit } from "./browser";
+import { choose, DRAWINGS, give, idle, phase, requestsElsewhere, ROOT, run as begin, runButton, shoot, visit, type Visit } from "./browser";
 import { padsReady, previewed } from "./pads";
 import { openSite } from "./site";
 
@@ -35,13 +35,18 @@ async function say(word: string): Promise<void> {
 
 const withoutWords = () => page.locator("notice-list").getByText("The wire goes on without it.");
 
+/** A run that has begun is not over yet. */
+async function toTheEnd(): Promise<void> {
+  await begin(page);
+  await idle(page);
+}
+
 async function run(): Promise<void> {
   for (const [i, side] of ["front", "side"].entries()) await give(page, i, join(DRAWINGS, "p02-garden", `${side}.png`));
   await previewed(page);
   await choose(page, "preset", "fast");
   await choose(page, "iterations", "40");
-  await runButton(page).click();
-  await idle(page);
+  await toTheEnd();
 }
 
 it("guides a run by a word, and fetches nothing for that before", async () => {
@@ -108,8 +113,7 @@ it("has a network of one's own look at patches, from neutral words, also where a
   expect(await withoutWords().count()).toBe(0);
   await page.getByLabel("Neutral words").fill("a dragon");
   await page.getByLabel("Neutral words").press("Enter");
-  await runButton(page).click();
-  await idle(page);
+  await toTheEnd();
   await page.locator("notice-list").getByText("“a dragon”, which the words are to differ from, is no word that guides here.").waitFor();
   expect(visited.faults).toHaveLength(1);
 });
@@ -149,12 +153,10 @@ it("guides a run by a latent diffusion model with its encoder and its file of co
   await run();
   await page.locator("notice-list").getByText("The diffusion model sees pictures through an encoder, and none is open.").waitFor();
   await own("vjp-tiny", json("vjp.json", data("vjp-tiny.json").toString()));
-  await runButton(page).click();
-  await idle(page);
+  await toTheEnd();
   expect(await withoutWords().count()).toBe(0);
   await front("a dragon");
-  await runButton(page).click();
-  await idle(page);
+  await toTheEnd();
   await page.locator("notice-list").getByText("“a dragon” (front) is no word that guides here. Its file knows: a fish.").waitFor();
   // What was said of the encoder, and of the word.
   expect(visited.faults).toHaveLength(2);
@@ -195,8 +197,7 @@ it("makes a wire of words alone, and says so", async () => {
   expect(await page.getByLabel("Front drawing", { exact: true }).textContent()).toContain("“umbrella” pulls here");
   await inspect(page, "words-alone");
   await fast();
-  await runButton(page).click();
-  await idle(page);
+  await toTheEnd();
   await page.locator(".verdict").getByText("Words alone pulled it, so there is no drawing to compare with.").waitFor();
   expect(visited.faults).toEqual([]);
   expect(await withoutWords().count()).toBe(0);
@@ -258,8 +259,7 @@ it("lets turned views be like the picture", async () => {
   await page.getByLabel("Turned views are to be like the picture").check();
   await inspect(page, "like-picture");
   await fast();
-  await runButton(page).click();
-  await idle(page);
+  await toTheEnd();
   expect(await withoutWords().count()).toBe(0);
   expect(fetched().filter((file) => /iconnet-.*onnx/.test(file)).length).toBeGreaterThan(0);
   expect(visited.faults).toEqual([]);
