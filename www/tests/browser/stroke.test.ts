@@ -139,8 +139,8 @@ it("goes on while the other tab is looked at, and loses nothing of either", asyn
   await job(page, "Three views").click();
   await page.getByText(/Three views|One picture: /).first().waitFor();
   await expect.poll(() => page.locator("run-panel p").textContent()).toMatch(/^\s*One picture: /);
-  expect(await page.locator("[data-view]").count()).toBe(views);
-  expect(await page.locator("drawing-pad").count()).toBe(3);
+  await expect.poll(() => page.locator("[data-view]").count()).toBe(views);
+  await expect.poll(() => page.locator("drawing-pad").count()).toBe(3);
   // Its wire is on the stage, with its numbers.
   expect(parseInt((await page.locator("[data-view=front]").textContent())!)).toBeGreaterThan(50);
   await page.getByText(/Three pictures in one wire/).waitFor();
@@ -155,8 +155,8 @@ it("goes on while the other tab is looked at, and loses nothing of either", asyn
   await idle(page);
   await page.getByText(/Three pictures in one wire/).waitFor();
   await job(page, "One picture").click();
-  expect(await verdict(page)).toMatch(/front|wire is in/i);
-  expect(await page.locator("time-line input[type=range]").count()).toBe(1);
+  await expect.poll(() => verdict(page)).toMatch(/front|wire is in/i);
+  await expect.poll(() => page.locator("time-line input[type=range]").count()).toBe(1);
   // Undo goes over both, and shows where it does.
   await page.getByRole("button", { name: "Undo: Make the wire" }).waitFor();
   await job(page, "Three views").click();
