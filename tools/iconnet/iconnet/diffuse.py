@@ -4,17 +4,15 @@ A picture is told by its name, by one of its tags, or by *nothing*; so the netwo
 what all pictures have in common.
 """
 
-import itertools
 import math
 import os
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import torch
 
-from . import data, denoiser, evaluate, split, views
+from . import data, denoiser, evaluate, pace, split, views
 from .networks import SIZE
 from .places import Places, need
 from .words import NOTHING
@@ -47,17 +45,8 @@ def train(places: Places, steps: int, minutes: float = math.inf, resume=False, p
     """Writes the denoiser's checkpoint, like `train.train` those of the other networks."""
     trainer = Trainer(places, plan or Plan(), resume)
     say(f"{NAME}: {len(trainer.rows)} icons, {trainer.things.sum()} of things; {trainer.tests} tests")
-    began, done, report = time.monotonic(), 0.0, 1
-    for step in itertools.count(1):
-        trainer.step(done)
-        passed = time.monotonic() - began
-        done = max(step / steps, passed / 60 / minutes)
-        if done >= report / REPORTS:
-            report += 1
-            say(f"{NAME} step {step} ({done:.0%}, {passed:.0f} s) {trainer.progress()}")
-            trainer.save()
-        if done >= 1:
-            return trainer.file
+    pace.to_the_end(trainer, NAME, steps, minutes, REPORTS, say)
+    return trainer.file
 
 
 class Trainer:

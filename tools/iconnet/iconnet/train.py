@@ -5,9 +5,7 @@ of a given length): networks trained so have gradients that look like things. Ra
 as nothing.
 """
 
-import itertools
 import math
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +13,7 @@ import numpy as np
 import torch
 from torch.nn import functional as F
 
-from . import curves, data, evaluate, networks, views
+from . import curves, data, evaluate, networks, pace, views
 from .adversaries import CONTROLS, POINTS, Adversaries
 from .places import Places, need
 
@@ -53,19 +51,13 @@ def train(places: Places, name: str, steps: int, minutes: float = math.inf, resu
     With `resume` it goes on from the last checkpoint's weights, with a schedule of its own."""
     trainer = Trainer(places, name, plan or PLANS[name], resume)
     say(f"{name}: {len(trainer.lesson.rows)} icons, {len(trainer.lesson.vocabulary) - 1} words")
-    began, done, report = time.monotonic(), 0.0, 1
-    for step in itertools.count(1):
-        trainer.step(done)
-        passed = time.monotonic() - began
-        done = max(step / steps, passed / 60 / minutes)
-        if done >= report / REPORTS:
-            report += 1
-            say(f"{name} step {step} ({done:.0%}, {passed:.0f} s) {trainer.progress()}")
-            trainer.save()
-            for test in evaluate.TESTS:
-                say(f"  {test}: {trainer.recall(test)}")
-        if done >= 1:
-            return places.checkpoint(name)
+
+    def recalls() -> None:
+        for test in evaluate.TESTS:
+            say(f"  {test}: {trainer.recall(test)}")
+
+    pace.to_the_end(trainer, name, steps, minutes, REPORTS, say, recalls)
+    return places.checkpoint(name)
 
 
 class Trainer:
