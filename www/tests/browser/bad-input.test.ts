@@ -104,7 +104,7 @@ it("fewer than two pictures", async () => {
   }
   await runButton(page).click();
   await page.getByRole("alert").filter({ hasText: "at least two drawings" }).waitFor();
-  expect(await page.locator("p[data-phase]").getAttribute("data-phase")).toBe("idle");
+  await expect.poll(() => page.locator("p[data-phase]").getAttribute("data-phase")).toBe("idle");
 });
 
 it("took all of this without a fault", () => {

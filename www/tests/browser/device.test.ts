@@ -16,19 +16,19 @@ it("names the processor where there is no WebGPU, and says why", async () => {
   const { page, faults } = await visit(browser, site.url, { webgpu: "missing" });
   await padsReady(page);
   await device(page).waitFor();
-  expect(await device(page).textContent()).toBe("Will use: Processor");
+  await expect.poll(() => device(page).textContent()).toBe("Will use: Processor");
   const setting = await runSettings(page);
   const why = (await setting.locator(".where p").last().textContent())!;
   expect(why).toMatch(/^[A-Z].*\.$/);
-  expect(await device(page).getAttribute("title")).toBe(`Processor. ${why}`);
+  await expect.poll(() => device(page).getAttribute("title")).toBe(`Processor. ${why}`);
   await inspect(page, "device");
   await choose(page, "preset", "fast");
   await runButton(page).click();
   await phase(page, "running");
   await expect.poll(() => page.locator("run-panel p").textContent(), { timeout: 60_000 }).toMatch(/Processor\s+Step [\d,]+ of 200\s+[\d.,]+ steps a second/);
   await idle(page);
-  expect(await device(page).getAttribute("data-backend")).toBe("cpu");
-  expect(await notice(page).count()).toBe(0);
+  await expect.poll(() => device(page).getAttribute("data-backend")).toBe("cpu");
+  await expect.poll(() => notice(page).count()).toBe(0);
   expect(faults).toEqual([]);
   await page.context().close();
 });
@@ -43,13 +43,13 @@ it("says in place that a graphics card is not to be had, and runs all the same",
   expect(words).toMatch(/^[A-Z].*\. The processor is used instead\.$/);
   await page.locator("setting-control[data-setting=backend]").scrollIntoViewIfNeeded();
   await inspect(page, "device-refused");
-  expect(await device(page).textContent()).toBe("Will use: Processor");
+  await expect.poll(() => device(page).textContent()).toBe("Will use: Processor");
   await choose(page, "preset", "fast");
   await runButton(page).click();
   await phase(page, "running");
-  expect(await notice(page).textContent()).toContain(words);
+  await expect.poll(() => notice(page).textContent()).toContain(words);
   await idle(page);
-  expect(await page.locator(".verdict").textContent()).toMatch(/match/);
+  await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match/);
   // It is what the person asked for, and stays so.
   expect(new URL(page.url()).hash).toContain("backend=gpu");
   expect(faults).toEqual([]);
@@ -62,9 +62,9 @@ it("obeys the address for a visit, and puts it nowhere else", async () => {
   await padsReady(page);
   const setting = await runSettings(page);
   await setting.getByText("For this visit the address decides (?renderer=cpu).").waitFor();
-  expect(await setting.locator("select").inputValue()).toBe("cpu");
-  expect(await setting.locator("select").isDisabled()).toBe(true);
-  expect(await device(page).textContent()).toBe("Will use: Processor");
+  await expect.poll(() => setting.locator("select").inputValue()).toBe("cpu");
+  await expect.poll(() => setting.locator("select").isDisabled()).toBe(true);
+  await expect.poll(() => device(page).textContent()).toBe("Will use: Processor");
   await inspect(page, "device-by-address");
   // A step of the person's own, so that something is kept.
   await choose(page, "preset", "fast");
@@ -76,9 +76,9 @@ it("obeys the address for a visit, and puts it nowhere else", async () => {
   await page.goto(site.url);
   await padsReady(page);
   const later = await runSettings(page);
-  expect(await page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
-  expect(await later.locator("select").inputValue()).toBe("auto");
-  expect(await later.locator("select").isEnabled()).toBe(true);
+  await expect.poll(() => page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
+  await expect.poll(() => later.locator("select").inputValue()).toBe("auto");
+  await expect.poll(() => later.locator("select").isEnabled()).toBe(true);
   expect(faults).toEqual([]);
   await context.close();
 });
@@ -86,10 +86,10 @@ it("obeys the address for a visit, and puts it nowhere else", async () => {
 it("says so where the address asks for what there is not", async () => {
   const { page, faults } = await visit(browser, `${site.url}?renderer=x`);
   await padsReady(page);
-  expect(await notice(page).textContent()).toMatch(/“x”.*auto, webgpu or cpu/);
+  await expect.poll(() => notice(page).textContent()).toMatch(/“x”.*auto, webgpu or cpu/);
   const setting = await runSettings(page);
-  expect(await setting.locator("select").inputValue()).toBe("auto");
-  expect(await setting.locator("select").isEnabled()).toBe(true);
+  await expect.poll(() => setting.locator("select").inputValue()).toBe("auto");
+  await expect.poll(() => setting.locator("select").isEnabled()).toBe(true);
   await inspect(page, "device-bad-address");
   await page.getByRole("button", { name: "Close this message" }).click();
   await expect.poll(() => notice(page).count()).toBe(0);
@@ -112,12 +112,12 @@ it("names the card while there is one, and tells when it is lost on the way", as
   const { page, faults } = await visit(browser, site.url, { webgpu: "missing", inEngine: LOSES_A_CARD });
   await padsReady(page);
   await device(page).waitFor();
-  expect(await device(page).textContent()).toBe("Will use: Graphics card · Made-up card");
+  await expect.poll(() => device(page).textContent()).toBe("Will use: Graphics card · Made-up card");
   await runButton(page).click();
   await phase(page, "running");
   await notice(page).waitFor();
   expect((await notice(page).textContent())!.trim()).toBe("The graphics card was lost; the processor goes on.");
-  expect(await device(page).textContent()).toBe("Processor");
+  await expect.poll(() => device(page).textContent()).toBe("Processor");
   await inspect(page, "device-lost");
   await page.getByRole("button", { name: "Stop" }).click();
   await idle(page);
@@ -142,7 +142,7 @@ it("rests in a hidden tab if asked to, also after a reload", async () => {
   await padsReady(page);
   await runSettings(page);
   const choice = page.locator("setting-control[data-setting=when_hidden] select");
-  expect(await choice.inputValue()).toBe("pause");
+  await expect.poll(() => choice.inputValue()).toBe("pause");
   await runButton(page).click();
   await phase(page, "running");
   await hide(page, true);

@@ -172,16 +172,16 @@ describe("before a run", () => {
     await arranged.getByRole("button").click();
     await previewed(page);
     expect(parseInt(/(\d+)%/.exec((await page.locator("remedy-list .sum").textContent())!)![1]!)).toBe(before);
-    expect(await page.locator("remedy-list ul[aria-label='What would help'] button", { hasText: "Arrange for me" }).count()).toBe(1);
+    await expect.poll(() => page.locator("remedy-list ul[aria-label='What would help'] button", { hasText: "Arrange for me" }).count()).toBe(1);
   });
 
   it("offers to bend, with the match both ways", async () => {
     for (const [i, side] of ["front", "side", "top"].entries()) await give(page, i, join(DRAWINGS, "t07-outlines", `${side}.png`));
     await previewed(page);
     const freely = page.locator("remedy-list ul[aria-label=Bending] button", { hasText: /free/i });
-    expect(await freely.textContent()).toMatch(/\d+\.\d of 256 px; \d+% matches what was drawn/);
+    await expect.poll(() => freely.textContent()).toMatch(/\d+\.\d of 256 px; \d+% matches what was drawn/);
     await freely.click();
-    expect(await freely.getAttribute("aria-pressed")).toBe("true");
-    expect(await page.locator("input[name=bend][value=free]").isChecked()).toBe(true);
+    await expect.poll(() => freely.getAttribute("aria-pressed")).toBe("true");
+    await expect.poll(() => page.locator("input[name=bend][value=free]").isChecked()).toBe(true);
   });
 });

@@ -73,9 +73,9 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   expect(await figure(page, "Pieces")).toBe("1");
   expect(parseFloat((await figure(page, "Length"))!)).toBeGreaterThan(20);
   expect(await figure(page, "Off the surface, on average")).toMatch(/^\d+\.\d%$/);
-  expect(await page.locator("covered-views canvas").count()).toBe(5);
+  await expect.poll(() => page.locator("covered-views canvas").count()).toBe(5);
   await page.locator("strand-histogram svg").waitFor();
-  expect(await page.locator("time-line .marks li").count()).toBeGreaterThan(0);
+  await expect.poll(() => page.locator("time-line .marks li").count()).toBeGreaterThan(0);
   await page.locator("covered-views").getByRole("button", { name: /left/i }).click();
 
   // The exports are of a closed wire: its last ring is its first, and nothing is capped.
@@ -111,7 +111,7 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
 
   // What can only be seen on a new wire is said.
   const laying = page.locator("fill-choices .laying");
-  expect(await laying.textContent()).not.toMatch(/again/);
+  await expect.poll(() => laying.textContent()).not.toMatch(/again/);
   await page.locator("fill-choices #density").fill("0.8");
   await laying.getByText("Cover it again to see that.").waitFor();
   await page.getByRole("button", { name: /^Undo/ }).click();
@@ -121,8 +121,8 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   await page.reload();
   await idle(page);
   await expect.poll(() => verdict(page), { timeout: 60_000 }).toBe(said);
-  expect(await shape(page, "sphere").isChecked()).toBe(true);
-  expect(await style(page, "waves").isChecked()).toBe(true);
+  await expect.poll(() => shape(page, "sphere").isChecked()).toBe(true);
+  await expect.poll(() => style(page, "waves").isChecked()).toBe(true);
   expect(visited.faults).toEqual([]);
   expect(requestsElsewhere(visited)).toEqual([]);
   await context.close();
@@ -202,9 +202,9 @@ it("carries the shape, the style, the wire and its settings in a link", async ()
   const { page: other, faults: otherFaults } = await visit(browser, link);
   await expect.poll(() => other.getByRole("tab", { name: "A shape" }).getAttribute("aria-selected")).toBe("true");
   await expect.poll(() => shape(other, "sphere").isChecked()).toBe(true);
-  expect(await style(other, "leaves").isChecked()).toBe(true);
+  await expect.poll(() => style(other, "leaves").isChecked()).toBe(true);
   await expect.poll(() => verdict(other), { timeout: 60_000 }).toMatch(/One closed wire/);
-  expect(await other.locator("fill-choices #curve_spacing").inputValue()).toBe("0.16");
+  await expect.poll(() => other.locator("fill-choices #curve_spacing").inputValue()).toBe("0.16");
   await expect.poll(() => figure(other, "Pieces")).toBe("1");
   // It stays a link for whoever passes it on.
   expect(other.url()).toBe(link);

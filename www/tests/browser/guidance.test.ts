@@ -119,7 +119,7 @@ it("costs a visit nothing until it is asked for", async () => {
   const runtime = () => site.sent.filter(({ file }) => RUNTIME.test(`/${file}`)).length;
   expect(site.sent.length).toBeGreaterThan(20);
   expect(runtime()).toBe(0);
-  expect(await page.locator("guide-panel").count()).toBe(0);
+  await expect.poll(() => page.locator("guide-panel").count()).toBe(0);
   await open(files());
   expect(runtime()).toBe(3);
   expect(requestsElsewhere({ page, ...visited })).toEqual([]);
@@ -411,7 +411,7 @@ it("says what a model is before it is used, and what there is to do with it", as
   await field.setInputFiles([{ name: "vit.json", mimeType: "", buffer: Buffer.from(SIDECAR) }, { name: "vit.onnx", mimeType: "", buffer: ONNX }]);
   await panel.getByText("vit-tiny", { exact: true }).waitFor();
   expect((await panel.locator("p").allTextContents()).join(" ")).toMatch(/114 kB, and about 617 kB of memory.*Licence: made up for tests.*From: random numbers, seeded/s);
-  expect(await problem.count()).toBe(0);
+  await expect.poll(() => problem.count()).toBe(0);
   await panel.scrollIntoViewIfNeeded();
   await inspect(page, "guidance-chosen");
   await panel.getByRole("button", { name: "Open it" }).click();
@@ -419,7 +419,7 @@ it("says what a model is before it is used, and what there is to do with it", as
   await panel.getByText(/^Kept on /).waitFor();
   await panel.scrollIntoViewIfNeeded();
   await inspect(page, "guidance-open");
-  expect(await panel.getByRole("button", { name: "Open vit-tiny" }).isDisabled()).toBe(true);
+  await expect.poll(() => panel.getByRole("button", { name: "Open vit-tiny" }).isDisabled()).toBe(true);
   await panel.getByRole("button", { name: /^Close/ }).click();
   await panel.getByRole("button", { name: "Open vit-tiny" }).click();
   await panel.getByText("vit-tiny is open on the processor.").waitFor();

@@ -28,7 +28,7 @@ it("brings back drawings, settings and the wire after a reload", async () => {
   await previewed(page);
   expect(await inkOn(page, 0)).toBeCloseTo(ink, 3);
   await expect.poll(() => points(page)).toBe(found);
-  expect(await page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
+  await expect.poll(() => page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
   // The way of the run is there, too.
   expect(Number(await page.getByLabel("The run, wire by wire").inputValue())).toBeGreaterThan(10);
   await inspect(page, "after-reload");
@@ -57,7 +57,7 @@ it("goes on with a run that a reload cut off", async () => {
   await expect.poll(step, { timeout: 30_000 }).toBeGreaterThanOrEqual(cut);
   await page.getByRole("button", { name: "Stop" }).click();
   await idle(page);
-  expect(await page.getByText(/A run was cut off/).count()).toBe(0);
+  await expect.poll(() => page.getByText(/A run was cut off/).count()).toBe(0);
   expect(faults).toEqual([]);
   await context.close();
 });
@@ -92,7 +92,7 @@ it("lets one tab at a time keep the project, and says so in the other", async ()
   const second = await visit(context, site.url);
   const elsewhere = (page: Page) => page.getByText("This project is open in another tab");
   await elsewhere(second.page).waitFor();
-  expect(await elsewhere(first.page).count()).toBe(0);
+  await expect.poll(() => elsewhere(first.page).count()).toBe(0);
   await inspect(second.page, "two-tabs");
   await second.page.getByRole("button", { name: "Keep it here instead" }).click();
   await elsewhere(first.page).waitFor();
@@ -109,7 +109,7 @@ it("works where the browser keeps nothing, and says that it does not", async () 
   await runButton(page).click();
   await phase(page, "running");
   await idle(page);
-  expect(await page.locator(".verdict").textContent()).toMatch(/match/);
+  await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match/);
   await inspect(page, "storage-blocked");
   expect(faults).toEqual([]);
   await page.context().close();

@@ -88,7 +88,7 @@ it("leaves the keys of fields alone, and lets people switch its own off", async 
   const field = page.locator("settings-panel input[type=number]").first();
   await field.focus();
   await page.keyboard.press("?");
-  expect(await page.getByRole("dialog").count()).toBe(0);
+  await expect.poll(() => page.getByRole("dialog").count()).toBe(0);
   await page.locator("top-bar").getByRole("button", { name: "Help" }).click();
   const dialog = page.getByRole("dialog");
   await dialog.waitFor();
@@ -98,8 +98,8 @@ it("leaves the keys of fields alone, and lets people switch its own off", async 
   const before = await undoable();
   await page.keyboard.press("?");
   await page.keyboard.press("Space");
-  expect(await page.getByRole("dialog").count()).toBe(0);
-  expect(await page.locator("[data-phase=idle]").count()).toBeGreaterThan(0);
+  await expect.poll(() => page.getByRole("dialog").count()).toBe(0);
+  await expect.poll(() => page.locator("[data-phase=idle]").count()).toBeGreaterThan(0);
   expect(await undoable()).toBe(before);
   await page.context().close();
 });

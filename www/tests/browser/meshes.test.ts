@@ -37,7 +37,7 @@ it("reads them, says what is up, and turns them", async () => {
   expect(reader()).toBe(1);
   await pad.locator("#mesh").setInputFiles(join(FIELD, "foreign-meshes/part.step"));
   await pad.getByRole("alert").getByText(/part\.step: is a STEP file.*export it as 3MF or STL/).waitFor();
-  expect(await up.inputValue()).toBe("z");
+  await expect.poll(() => up.inputValue()).toBe("z");
 
   // A choice is one step of what was done, and is kept.
   await up.selectOption("y");
@@ -50,7 +50,7 @@ it("reads them, says what is up, and turns them", async () => {
   await page.waitForTimeout(600);
   await page.reload();
   await pad.getByText(/^\s*512 triangles/).waitFor({ timeout: 60_000 });
-  expect(await up.inputValue()).toBe("y");
+  await expect.poll(() => up.inputValue()).toBe("y");
   expect(faults).toEqual([]);
   await context.close();
 });

@@ -51,7 +51,7 @@ it("turns three drawings into one wire: the loss falls, every view matches, a se
     expect(parseInt((await page.locator(`[data-view=${view}]`).textContent())!)).toBeGreaterThan(50);
   }
   expect(await pieces()).toBe("1");
-  expect(await page.locator(".verdict").textContent()).toMatch(/match|ink/);
+  await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match|ink/);
   expect(await figure(page, "Bends")).toMatch(/tighter than a hand can bend/);
   expect(await figure(page, "Strands")).toMatch(/passes through itself in [\d,]+ places?/);
   await inspect(page, "after-run");
@@ -80,7 +80,7 @@ it("pauses, steps one by one, and goes on", async () => {
   await expect.poll(step, { timeout: 30_000 }).toBeGreaterThan(held + 3);
   await button("Stop").click();
   await idle(page);
-  expect(await button(/^GLB/).isEnabled()).toBe(true);
+  await expect.poll(() => button(/^GLB/).isEnabled()).toBe(true);
   expect(await pieces()).toBe("1");
 });
 
@@ -115,7 +115,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await expect.poll(step).toBeGreaterThanOrEqual(from);
   await idle(page);
   expect(await looked()).toBe(200);
-  expect(await page.locator("[data-view=front]").textContent()).toBe(full);
+  await expect.poll(() => page.locator("[data-view=front]").textContent()).toBe(full);
 });
 
 it("goes back to what was before, by reset and while the first wire is still sought", async () => {
@@ -132,7 +132,7 @@ it("goes back to what was before, by reset and while the first wire is still sou
   await button("Reset").click();
   await idle(page);
   await expect.poll(() => files.isEnabled()).toBe(true);
-  expect(await button(/^Undo/).first().isEnabled()).toBe(false);
+  await expect.poll(() => button(/^Undo/).first().isEnabled()).toBe(false);
 });
 
 it("goes on in a hidden tab", async () => {

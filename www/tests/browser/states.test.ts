@@ -73,7 +73,7 @@ describe("in hard places", () => {
     await runButton(page).click();
     await phase(page, "running");
     await idle(page);
-    expect(await page.locator(".verdict").textContent()).toMatch(/match/);
+    await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match/);
     await inspect(page, "no-webgl");
     expect(faults.filter((fault) => !/WebGL/.test(fault))).toEqual([]);
     await page.context().close();
@@ -82,7 +82,7 @@ describe("in hard places", () => {
   it("says so where there is no worker, and shows the example all the same", async () => {
     const { page } = await visit(browser, site.url, { worker: false });
     await page.locator("notice-list").getByText(/worker|engine/i).first().waitFor();
-    expect(await page.locator("[data-view]").count()).toBe(3);
+    await expect.poll(() => page.locator("[data-view]").count()).toBe(3);
     await inspect(page, "no-worker");
     await page.context().close();
   });
@@ -91,7 +91,7 @@ describe("in hard places", () => {
     const plain = await launch({ simd: false });
     const { page } = await visit(plain, site.url);
     await page.locator("notice-list").getByText(/SIMD/).first().waitFor();
-    expect(await page.locator("[data-view]").count()).toBe(3);
+    await expect.poll(() => page.locator("[data-view]").count()).toBe(3);
     await shoot(page, "no-simd");
     await plain.close();
   });
@@ -142,7 +142,7 @@ describe("in hard places", () => {
     await previewed(page);
     await fits(page);
     await shoot(page, "long-name");
-    expect(await page.locator("img").count()).toBe(0);
+    await expect.poll(() => page.locator("img").count()).toBe(0);
     expect(faults).toEqual([]);
     await page.context().close();
   });

@@ -99,7 +99,7 @@ it("makes a wire of a picture, shows it from all sides, compares it with loose s
   const [one, many] = await cells("Pieces");
   expect(one).toBe("1");
   expect(parseInt(many!.replace(",", ""))).toBeGreaterThan(1);
-  expect(await comparison(page).locator("p").textContent()).toMatch(/Loose strokes fall into .* the wire is one\./);
+  await expect.poll(() => comparison(page).locator("p").textContent()).toMatch(/Loose strokes fall into .* the wire is one\./);
   const [mine, theirs] = (await cells("Points")).map((text) => parseInt(text.replace(",", "")));
   // Whole strokes of four points each.
   expect(mine! - theirs!).toBeGreaterThanOrEqual(0);
@@ -108,14 +108,14 @@ it("makes a wire of a picture, shows it from all sides, compares it with loose s
   await shoot(page, "stroke-compared");
   // The wire is on the stage again, and it is what is measured.
   expect(await verdict(page)).toBe(said);
-  expect(await page.locator("time-line .marks li").count()).toBeGreaterThan(0);
+  await expect.poll(() => page.locator("time-line .marks li").count()).toBeGreaterThan(0);
 
   await page.waitForTimeout(600);
   await page.reload();
   await idle(page);
   await comparison(page).locator("table").waitFor();
-  expect(await job(page, "One picture").getAttribute("aria-selected")).toBe("true");
-  expect(await pad(page).locator("subject-canvas").getAttribute("name")).toContain("face.png, its object in colour");
+  await expect.poll(() => job(page, "One picture").getAttribute("aria-selected")).toBe("true");
+  await expect.poll(() => pad(page).locator("subject-canvas").getAttribute("name")).toContain("face.png, its object in colour");
   expect(await verdict(page)).toBe(said);
   expect(await cells("Pieces")).toEqual([one, many]);
   await allDiffer(page, "wire-comparison canvas", 4);
@@ -219,7 +219,7 @@ it("brings back what was kept before there was a second job, and its run that wa
   await before.close();
   const { page, faults } = await visit(context, site.url);
   await page.getByText("A run was cut off before its first wire.").waitFor();
-  expect(await job(page, "Three views").getAttribute("aria-selected")).toBe("true");
+  await expect.poll(() => job(page, "Three views").getAttribute("aria-selected")).toBe("true");
   await expect.poll(() => inkOn(page, 0)).toBeGreaterThan(0.02);
   await expect.poll(() => inkOn(page, 1)).toBeGreaterThan(0.02);
   await page.getByRole("button", { name: "Go on", exact: true }).click();
@@ -298,8 +298,8 @@ it("says what is wrong with what it is given, and keeps what was there", async (
   await toOnePicture(page);
   await dropFiles(page, pad(page), [{ name: "notes.png", buffer: Buffer.from("no picture at all") }]);
   await pad(page).getByRole("alert").waitFor();
-  expect(await pad(page).getByRole("alert").textContent()).toMatch(/notes\.png/i);
-  expect(await pad(page).locator("subject-canvas").getAttribute("name")).toContain("Mug");
+  await expect.poll(() => pad(page).getByRole("alert").textContent()).toMatch(/notes\.png/i);
+  await expect.poll(() => pad(page).locator("subject-canvas").getAttribute("name")).toContain("Mug");
   await dropFiles(page, page.locator("wire-stage"), [join(STROKES, "face.png"), join(STROKES, "pear.png")]);
   await page.locator("notice-list").getByText(/One picture at a time/).waitFor();
   await pad(page).locator('subject-canvas[name*="face.png"]').waitFor();

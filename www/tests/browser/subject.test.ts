@@ -210,7 +210,7 @@ describe("the camera", () => {
     await page.addInitScript(() => Reflect.deleteProperty(Navigator.prototype, "mediaDevices"));
     await page.goto(site.url);
     await button("Choose picture").waitFor();
-    expect(await button("Camera").count()).toBe(0);
+    await expect.poll(() => button("Camera").count()).toBe(0);
   });
 });
 
@@ -254,7 +254,7 @@ describe("a box", () => {
     await page.mouse.up();
     await expect.poll(async () => (await subject())?.box?.map((share) => Math.round(10 * share))).toEqual([3, 2, 9, 8]);
     // It stays to be seen, and goes by a button, too.
-    expect(await pad().locator("subject-canvas .box:not(.under-way)").count()).toBe(1);
+    await expect.poll(() => pad().locator("subject-canvas .box:not(.under-way)").count()).toBe(1);
     await inspect(page, "subject-box");
     await button("Remove the box").click();
     await expect.poll(() => pad().locator("subject-canvas .box").count()).toBe(0);
@@ -331,7 +331,7 @@ describe("marks", () => {
     await page.keyboard.press("Space");
     await page.keyboard.press("Shift+ArrowUp");
     await page.keyboard.press("Escape");
-    expect(await editor().count()).toBe(1);
+    await expect.poll(() => editor().count()).toBe(1);
     await page.keyboard.press("Escape");
     await expect.poll(() => editor().count()).toBe(0);
   });

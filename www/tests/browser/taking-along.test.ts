@@ -168,7 +168,7 @@ describe("as a link", () => {
     await other.page.context().close();
     const fresh = await visit(browser, link);
     await fresh.page.getByRole("button", { name: /^Undo: Open the link/ }).waitFor();
-    expect(await fresh.page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
+    await expect.poll(() => fresh.page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
     await inspect(fresh.page, "from-link");
     expect(requestsElsewhere(fresh)).toEqual([]);
     expect(fresh.faults).toEqual([]);
@@ -203,8 +203,8 @@ describe("as a link", () => {
       const { page, faults } = await visit(browser, bad);
       const message = page.getByRole("alert").filter({ hasText: words });
       await message.waitFor();
-      expect(await page.locator("b", { hasText: /^x$/ }).count()).toBe(0);
-      expect(await runButton(page).isEnabled()).toBe(true);
+      await expect.poll(() => page.locator("b", { hasText: /^x$/ }).count()).toBe(0);
+      await expect.poll(() => runButton(page).isEnabled()).toBe(true);
       expect(faults).toEqual([]);
       await page.context().close();
     }

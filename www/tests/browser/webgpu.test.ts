@@ -44,18 +44,18 @@ async function loseDevice(page: Page): Promise<void> {
 
 it("runs to the end on the graphics card that the address asks for, and names it", async () => {
   const { page, faults } = await opened(`${site.url}?renderer=webgpu${small(12)}`);
-  expect(await device(page).textContent()).toMatch(/^Will use: Graphics card/);
+  await expect.poll(() => device(page).textContent()).toMatch(/^Will use: Graphics card/);
   await runButton(page).click();
   await phase(page, "running");
-  expect(await device(page).getAttribute("data-backend")).toBe("gpu");
+  await expect.poll(() => device(page).getAttribute("data-backend")).toBe("gpu");
   await expect.poll(() => page.locator("run-panel p").textContent(), { timeout: 60_000 }).toMatch(/steps a second/);
   await shoot(page, "webgpu-running");
   await idle(page);
-  expect(await device(page).getAttribute("data-backend")).toBe("gpu");
-  expect(await page.locator(".verdict").textContent()).toMatch(/match|ink/);
-  expect(await notice(page).count()).toBe(0);
+  await expect.poll(() => device(page).getAttribute("data-backend")).toBe("gpu");
+  await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match|ink/);
+  await expect.poll(() => notice(page).count()).toBe(0);
   const setting = await runSettings(page);
-  expect(await setting.textContent()).toMatch(/Graphics card.*\?renderer=webgpu|\?renderer=webgpu.*Graphics card/s);
+  await expect.poll(() => setting.textContent()).toMatch(/Graphics card.*\?renderer=webgpu|\?renderer=webgpu.*Graphics card/s);
   await inspect(page, "webgpu");
   expect(faults).toEqual([]);
   await page.context().close();
@@ -82,15 +82,15 @@ it("does one step at a time on it, pauses and stops", async () => {
 
 it("prefers the processor to a card that is none, and says why", async () => {
   const { page, faults } = await opened(site.url + small(20_000));
-  expect(await device(page).textContent()).toBe("Will use: Processor");
+  await expect.poll(() => device(page).textContent()).toBe("Will use: Processor");
   const setting = await runSettings(page);
   const why = (await setting.locator(".where p").last().textContent())!;
   expect(why).toMatch(/software|SwiftShader|fallback/i);
-  expect(await device(page).getAttribute("title")).toContain(why);
+  await expect.poll(() => device(page).getAttribute("title")).toContain(why);
   await runButton(page).click();
   await phase(page, "running");
   await stop(page);
-  expect(await device(page).getAttribute("data-backend")).toBe("cpu");
+  await expect.poll(() => device(page).getAttribute("data-backend")).toBe("cpu");
   expect(faults).toEqual([]);
   await page.context().close();
 });
@@ -102,7 +102,7 @@ it("comes to its end where the device is lost on the way, once and again", async
   await expect.poll(() => page.locator("run-panel p").textContent(), { timeout: 60_000 }).toMatch(/Step /);
   await loseDevice(page);
   await notice(page).first().waitFor();
-  expect(await notice(page).first().textContent()).toMatch(/[A-Z].*\./);
+  await expect.poll(() => notice(page).first().textContent()).toMatch(/[A-Z].*\./);
   await shoot(page, "webgpu-lost");
   await phase(page, "running");
   // On a new device; the second time on the processor.
@@ -110,7 +110,7 @@ it("comes to its end where the device is lost on the way, once and again", async
   await expect.poll(() => device(page).getAttribute("data-backend"), { timeout: 60_000 }).toBe("cpu");
   await phase(page, "running");
   await stop(page);
-  expect(await page.locator(".verdict").textContent()).toMatch(/match|ink/);
+  await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match|ink/);
   await page.context().close();
 });
 
@@ -127,7 +127,7 @@ describe("without a card to compute on", () => {
     it(`has a sentence of its own and works: ${name}`, async () => {
       const base = insecure ? site.url.replace("127.0.0.1", ELSEWHERE) : site.url;
       const { page } = await opened(`${base}?renderer=webgpu${small(20_000)}`, options);
-      expect(await device(page).textContent()).toBe("Will use: Processor");
+      await expect.poll(() => device(page).textContent()).toBe("Will use: Processor");
       const setting = await runSettings(page);
       const refusal = (await setting.locator(".refusal").textContent())!;
       expect(refusal).toMatch(words);
@@ -136,9 +136,9 @@ describe("without a card to compute on", () => {
       await inspect(page, `webgpu-${name}`);
       await runButton(page).click();
       await phase(page, "running");
-      expect(await notice(page).first().textContent()).toContain(refusal);
+      await expect.poll(() => notice(page).first().textContent()).toContain(refusal);
       await stop(page);
-      expect(await page.locator(".verdict").textContent()).toMatch(/match|ink/);
+      await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match|ink/);
       await page.context().close();
     });
   }

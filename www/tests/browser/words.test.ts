@@ -60,7 +60,7 @@ it("guides a run by a word, and fetches nothing for that before", async () => {
   expect(fetched().filter((file) => /iconnet-.*onnx/.test(file))).toHaveLength(2);
   expect(fetched().filter((file) => /asyncify/.test(file))).toEqual([]);
   expect(visited.faults).toEqual([]);
-  expect(await withoutWords().count()).toBe(0);
+  await expect.poll(() => withoutWords().count()).toBe(0);
 });
 
 const data = (name: string): Buffer => readFileSync(join(ROOT, "tests/data/guidance", name));
@@ -96,7 +96,7 @@ it("guides a run by a network of one's own, and opens it again when it is gone",
   await page.getByRole("button", { name: /^Close/ }).click();
   await run();
   await page.locator("notice-list").getByText("“a dragon” (side) is no word that guides here. Its file knows: a fish, a wire.").waitFor();
-  expect(await withoutWords().count()).toBe(0);
+  await expect.poll(() => withoutWords().count()).toBe(0);
   expect(visited.faults).toEqual([]);
 });
 
@@ -107,10 +107,10 @@ it("has a network of one's own look at patches, from neutral words, also where a
   await front("a fish");
   await page.getByLabel("At patches").check();
   await expect.poll(() => page.getByLabel("Neutral words").inputValue()).toBe("a wire");
-  expect(await page.locator("guide-panel output").textContent()).toBe("0.5");
+  await expect.poll(() => page.locator("guide-panel output").textContent()).toBe("0.5");
   await inspect(page, "patches");
   await run();
-  expect(await withoutWords().count()).toBe(0);
+  await expect.poll(() => withoutWords().count()).toBe(0);
   await page.getByLabel("Neutral words").fill("a dragon");
   await page.getByLabel("Neutral words").press("Enter");
   await toTheEnd();
@@ -127,7 +127,7 @@ it("says that nothing is open any more when a run was called off", async () => {
   await page.getByRole("button", { name: "Reset", exact: true }).click();
   await idle(page);
   await expect.poll(() => page.getByText("vit-tiny is open").count()).toBe(0);
-  expect(await page.getByRole("button", { name: "Open vit-tiny" }).isEnabled()).toBe(true);
+  await expect.poll(() => page.getByRole("button", { name: "Open vit-tiny" }).isEnabled()).toBe(true);
 });
 
 it("guides a run by a diffusion model of one's own that sees pixels", async () => {
@@ -135,10 +135,10 @@ it("guides a run by a diffusion model of one's own that sees pixels", async () =
   await own("eps-pixels-tiny", json("eps.json", data("eps-pixels-tiny.json").toString()));
   await by().selectOption("eps-pixels-tiny");
   await front("umbrella");
-  expect(await page.locator("guide-panel output").textContent()).toBe("1");
+  await expect.poll(() => page.locator("guide-panel output").textContent()).toBe("1");
   await inspect(page, "diffusion");
   await run();
-  expect(await withoutWords().count()).toBe(0);
+  await expect.poll(() => withoutWords().count()).toBe(0);
   expect(visited.faults).toEqual([]);
 });
 
@@ -154,7 +154,7 @@ it("guides a run by a latent diffusion model with its encoder and its file of co
   await page.locator("notice-list").getByText("The diffusion model sees pictures through an encoder, and none is open.").waitFor();
   await own("vjp-tiny", json("vjp.json", data("vjp-tiny.json").toString()));
   await toTheEnd();
-  expect(await withoutWords().count()).toBe(0);
+  await expect.poll(() => withoutWords().count()).toBe(0);
   await front("a dragon");
   await toTheEnd();
   await page.locator("notice-list").getByText("“a dragon” (front) is no word that guides here. Its file knows: a fish.").waitFor();
@@ -194,15 +194,15 @@ it("makes a wire of words alone, and says so", async () => {
   await inspect(page, "word-pulls");
   await done();
   await page.getByText("Words alone will pull the wire.").waitFor();
-  expect(await page.getByLabel("Front drawing", { exact: true }).textContent()).toContain("“umbrella” pulls here");
+  await expect.poll(() => page.getByLabel("Front drawing", { exact: true }).textContent()).toContain("“umbrella” pulls here");
   await inspect(page, "words-alone");
   await fast();
   await toTheEnd();
   await page.locator(".verdict").getByText("Words alone pulled it, so there is no drawing to compare with.").waitFor();
   expect(visited.faults).toEqual([]);
-  expect(await withoutWords().count()).toBe(0);
-  expect(await page.locator("match-panels .match").allTextContents()).toEqual(["–", "–"]);
-  expect(await page.locator("match-panels .name").allTextContents()).toEqual(["front", "top"]);
+  await expect.poll(() => withoutWords().count()).toBe(0);
+  await expect.poll(() => page.locator("match-panels .match").allTextContents()).toEqual(["–", "–"]);
+  await expect.poll(() => page.locator("match-panels .name").allTextContents()).toEqual(["front", "top"]);
   await inspect(page, "made-of-words");
   // They go with a link, and with undo.
   const address = page.url();
@@ -248,8 +248,8 @@ it("draws one view and lets a word pull another, pauses and goes on", async () =
   await phase(page, "running");
   await page.getByRole("button", { name: "Stop" }).click();
   await idle(page);
-  expect(await withoutWords().count()).toBe(0);
-  expect(await page.locator("match-panels .match").allTextContents()).toEqual([expect.stringMatching(/^\d+%$/), "–"]);
+  await expect.poll(() => withoutWords().count()).toBe(0);
+  await expect.poll(() => page.locator("match-panels .match").allTextContents()).toEqual([expect.stringMatching(/^\d+%$/), "–"]);
   expect(visited.faults).toEqual([]);
 });
 
@@ -260,7 +260,7 @@ it("lets turned views be like the picture", async () => {
   await inspect(page, "like-picture");
   await fast();
   await toTheEnd();
-  expect(await withoutWords().count()).toBe(0);
+  await expect.poll(() => withoutWords().count()).toBe(0);
   expect(fetched().filter((file) => /iconnet-.*onnx/.test(file)).length).toBeGreaterThan(0);
   expect(visited.faults).toEqual([]);
 });
