@@ -41,7 +41,7 @@ export default defineConfig({
   },
   test: {
     projects: [
-      { extends: true, test: { name: "unit", include: ["src/**/*.test.ts"] } },
+      { extends: true, test: { name: "unit", include: ["src/**/*.test.ts", "packages/*/src/**/*.test.ts"] } },
       // The built page in a real Chromium: slow machines get their time. Two files at a time would keep two cores no busier,
       // and each other waiting.
       {

@@ -1,7 +1,7 @@
 /** Answers the page's calls, one worker a page. It keeps the run under way. */
 
-import type { WireShape } from "../embed/shape";
-import { openShareCode } from "../embed/share/code";
+import type { WireShape } from "#sculpture/shape";
+import { openShareCode } from "#sculpture/share/code";
 import { loaded, type CoreRun } from "./core";
 import type { Answer, Calls, Control, Finished, Guide, News, Request } from "./protocol";
 import { Pull } from "./pull";

@@ -1,6 +1,6 @@
 /** How many bytes travel: gzipped as a plain host does it, pictures and fonts as they are. */
 
-import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { build } from "vite";
@@ -51,9 +51,7 @@ export function runtimeBytes(name: keyof typeof RUNTIME_KB): number {
 
 /** The stage bundled alone, as somebody else's page would embed it; a library build keeps its white space. */
 export async function stageBytes(): Promise<number> {
-  const embed = join(ROOT, "www/src/embed");
-  const entry = ["index.ts", "stage.ts"].map((file) => join(embed, file)).find((file) => existsSync(file));
-  if (!entry) throw new Error(`there is neither index.ts nor stage.ts in ${embed}`);
+  const entry = join(ROOT, "www/packages/wire-sculpture/src/stage.ts");
   const outDir = join(ROOT, "target/stage-module");
   await build({
     configFile: false,

@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { openShareCode } from "../../embed/share/code";
+import { openShareCode } from "#sculpture/share/code";
 import { fragmentIn } from "./pasted";
 
 const FIELD = new URL("../../../../tests/field/share-link/", import.meta.url);

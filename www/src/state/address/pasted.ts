@@ -1,6 +1,6 @@
 /** The fragment of a link as people paste it, whatever e-mail, a chat or a document did to it. */
 
-import { codeIn } from "../../embed/share/code";
+import { codeIn } from "#sculpture/share/code";
 
 /** Ends of a value: what no link of ours has, and what a sentence puts after it. */
 const VALUE = "[^\\s&<>\"'`)\\]}“”’»*]*";

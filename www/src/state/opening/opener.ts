@@ -1,6 +1,6 @@
 /** Wires from elsewhere: links, files, and the examples of a first visit. */
 
-import { openShareCode, ShareCodeError } from "../../embed/share/code";
+import { openShareCode, ShareCodeError } from "#sculpture/share/code";
 import { Problem } from "../../engine/client";
 import type { ViewMeasures } from "../../engine/protocol";
 import { readFragment } from "../address/fragment";

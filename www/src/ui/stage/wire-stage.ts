@@ -1,11 +1,12 @@
 import { html, nothing, svg, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
-import type { BodyShape } from "../../embed/body";
-import { LOOK_NAMES, lookOf, type LookName } from "../../embed/looks";
-import type { Vec3 } from "../../embed/matrix";
-import type { WireShape } from "../../embed/shape";
-import { Stage, StageUnavailable, type Vantage, type ViewName } from "../../embed/stage";
+import { startWorker } from "#sculpture/aside";
+import type { BodyShape } from "#sculpture/body";
+import { LOOK_NAMES, lookOf, type LookName } from "#sculpture/looks";
+import type { Vec3 } from "#sculpture/matrix";
+import type { WireShape } from "#sculpture/shape";
+import { Stage, StageUnavailable, type Vantage, type ViewName } from "#sculpture/stage";
 import { nextTurn } from "../../state/common/next-turn";
 import type { Heading } from "../../view/heading";
 import { Part } from "../../view/part";
@@ -210,7 +211,7 @@ export class WireStage extends Part {
   private start(): void {
     if (this.stage || this.problem || !this.isConnected) return;
     try {
-      const worker = this.aside ? new Worker(new URL("../../embed/backstage-worker.ts", import.meta.url), { type: "module", name: "stage" }) : null;
+      const worker = this.aside ? startWorker() : null;
       const events = {
         hold: () => this.tell("hold"),
         view: (view: ViewName | null) => (this.view = view),
