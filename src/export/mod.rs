@@ -18,7 +18,7 @@ pub use glb::glb;
 pub use lines::lines;
 pub use mesh::TriangleMesh;
 pub use obj::obj;
-pub use share::{open_link, open_share_code, share_code};
+pub use share::{Simplified, open_link, open_share_code, share_code, simplified_code};
 pub use stl::stl;
 pub use svg::{SvgOptions, svg};
 pub use tube::{TubeOptions, tube};
