@@ -125,13 +125,13 @@ const SAMPLES_PER_SPAN: usize = 32;
 /// # Examples
 /// ```
 /// use wire4d::export::{ExportOptions, Format, export, open_share_code, share_code};
-/// use wire4d::sculpture::{MadeWith, Sculpture};
+/// use wire4d::sculpture::{Carried, MadeWith, Sculpture};
 /// use wire4d::wire::Wire;
 ///
 /// # fn main() -> wire4d::Result<()> {
 /// let square = [[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1], [0.0, -1.0, 0.0, 0.1]];
 /// let wire = Wire::closed_uniform(square.to_vec())?;
-/// let made = Sculpture { wire, views: Vec::new(), made_with: MadeWith::default() };
+/// let made = Sculpture { wire, views: Vec::new(), made_with: MadeWith::default(), carried: Carried::default() };
 /// let glb = export(&made, Format::from_path("ring.glb")?, None, None, &ExportOptions::default())?;
 /// assert!(glb.starts_with(b"glTF"));
 /// // A link carries it to within a fraction of a pixel.

@@ -1,6 +1,7 @@
 //! `wire.json`: the sculpture as text that other programs can read. Numbers survive to the last bit.
 
-use super::{MadeWith, Sculpture};
+use super::carried::CarriedIn;
+use super::{Carried, MadeWith, Sculpture};
 use crate::view::View;
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
@@ -25,6 +26,8 @@ struct FileOut<'a> {
     control_points: &'a [[f64; 4]],
     views: &'a [View],
     made_with: &'a MadeWith,
+    #[serde(flatten)]
+    carried: &'a Carried,
 }
 
 fn is_spline(form: &Form) -> bool {
@@ -48,6 +51,8 @@ struct FileIn {
     views: Vec<View>,
     #[serde(default)]
     made_with: MadeWith,
+    #[serde(flatten)]
+    carried: CarriedIn,
 }
 
 impl Sculpture {
@@ -62,6 +67,7 @@ impl Sculpture {
             control_points: self.wire.control_points(),
             views: &self.views,
             made_with: &self.made_with,
+            carried: &self.carried,
         };
         let mut text = serde_json::to_string(&file).expect("plain numbers and strings always serialise");
         text.push('\n');
@@ -101,6 +107,7 @@ impl Sculpture {
         if file.views.len() > MAX_VIEWS {
             return Err(bad(format!("has {} views", file.views.len()), "use 64 at most"));
         }
-        Ok(Sculpture { wire, views: file.views, made_with: file.made_with })
+        let carried = Carried::read(file.carried, &mut Vec::new());
+        Ok(Sculpture { wire, views: file.views, made_with: file.made_with, carried })
     }
 }

@@ -8,7 +8,7 @@ mod contents;
 mod pasted;
 mod range;
 
-use crate::sculpture::{MadeWith, Sculpture};
+use crate::sculpture::{Carried, MadeWith, Sculpture};
 use crate::view::View;
 use crate::wire::Wire;
 use crate::{Error, Result};
@@ -180,7 +180,8 @@ fn sculpture(contents: Contents) -> Result<Sculpture> {
     for view in &views {
         view.check()?;
     }
-    Ok(Sculpture { wire, views, made_with: MadeWith { task, seed, ..MadeWith::default() } })
+    let made_with = MadeWith { task, seed, ..MadeWith::default() };
+    Ok(Sculpture { wire, views, made_with, carried: Carried::default() })
 }
 
 fn knots_from(code: &KnotCode, closed: bool) -> Vec<f64> {
