@@ -1,13 +1,16 @@
 //! What a sculpture takes along beside its wire, so that somebody can go on from it: what it was made of, and how it was
 //! found. None of it is needed to show the wire: what is damaged or too large here is left out, and the file still opens.
 
+use super::png::{Chunk, chunks};
 use base64::Engine;
 use base64::engine::general_purpose::{STANDARD, URL_SAFE_NO_PAD};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Most of each that is written and read.
+/// Most that a file grows by what it carries.
+pub(crate) const MAX_CARRIED_BYTES: usize = 60_000;
+/// Most drawings that are written and read.
 pub const MAX_DRAWINGS: usize = 64;
 /// Longest side of a drawing, px.
 pub const MAX_DRAWING_PX: u32 = 256;
@@ -43,8 +46,22 @@ pub struct Silhouette {
 }
 
 impl Carried {
+    /// As much of it as a file has room for, in bytes of its text: first the replay stays behind, then the drawings.
+    pub(crate) fn within(&self, most: usize) -> Carried {
+        let fits = |carried: &Carried| serde_json::to_vec(carried).is_ok_and(|text| text.len() <= most);
+        let mut carried = self.clone();
+        carried.drawings.truncate(MAX_DRAWINGS);
+        if !fits(&carried) {
+            carried.replay.clear();
+        }
+        if !fits(&carried) {
+            carried.drawings.clear();
+        }
+        if fits(&carried) { carried } else { Carried::default() }
+    }
+
     /// Reads its fields from those of a file. What is damaged or too large is left out, with a sentence about it.
-    pub(super) fn read(fields: CarriedIn, notes: &mut Vec<String>) -> Carried {
+    pub(crate) fn read(fields: CarriedIn, notes: &mut Vec<String>) -> Carried {
         let mut lost = |what: &str| notes.push(format!("{what} in the file cannot be read and was left out"));
         let mut carried = Carried::default();
         if let Some(drawings) = fields.drawings {
@@ -77,7 +94,7 @@ impl Carried {
 
 /// [`Carried`] as a file has it, which may come from anywhere.
 #[derive(Deserialize, Default)]
-pub(super) struct CarriedIn {
+pub(crate) struct CarriedIn {
     #[serde(default)]
     drawings: Option<Value>,
     #[serde(default)]
@@ -104,15 +121,14 @@ fn decoded(text: &str, most: usize, alphabet: &impl Engine) -> Option<Vec<u8>> {
         .filter(|bytes| bytes.len() <= most)
 }
 
-/// Whether the heading is that of a grey PNG of 8 bits and a size that is allowed.
+/// Whether it is a whole grey PNG of 8 bits and a size that is allowed.
 fn is_drawing(png: &[u8]) -> bool {
-    let side =
-        |at: usize| png.get(at..at + 4).map(|bytes| u32::from_be_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
-    let fits = |side: Option<u32>| side.is_some_and(|side| (1..=MAX_DRAWING_PX).contains(&side));
-    png.starts_with(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")
-        && fits(side(16))
-        && fits(side(20))
-        && png.get(24..26) == Some(&[8, 0])
+    let Some(chunks) = chunks(png).collect::<Option<Vec<_>>>() else { return false };
+    let fits = |side: &[u8]| u32::from_be_bytes([side[0], side[1], side[2], side[3]]).wrapping_sub(1) < MAX_DRAWING_PX;
+    let heading = |&(kind, data): &Chunk| {
+        kind == b"IHDR" && data.len() == 13 && fits(data) && fits(&data[4..]) && data[8..10] == [8, 0]
+    };
+    chunks.first().is_some_and(heading) && chunks.last().is_some_and(|(kind, _)| kind == b"IEND")
 }
 
 fn as_base64<S: serde::Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
