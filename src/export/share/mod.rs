@@ -15,7 +15,7 @@ mod simplified;
 
 pub use simplified::{Simplified, simplified_code};
 
-use crate::sculpture::{MadeWith, Sculpture};
+use crate::sculpture::{Carried, MadeWith, Sculpture};
 use crate::wire::Wire;
 use crate::{Error, Result};
 use base64::Engine as _;
@@ -157,7 +157,8 @@ fn sculpture(contents: Contents) -> Result<Sculpture> {
     for view in &views {
         view.check()?;
     }
-    Ok(Sculpture { wire, views, made_with: MadeWith { task, seed, ..MadeWith::default() } })
+    let made_with = MadeWith { task, seed, ..MadeWith::default() };
+    Ok(Sculpture { wire, views, made_with, carried: Carried::default() })
 }
 
 fn knots_from(code: &KnotCode, closed: bool) -> Vec<f64> {
