@@ -1,6 +1,6 @@
 /** A wire as one HTML file, which shows it on any device, from a disk as well, and asks nobody for anything. */
 
-import { escaped, written, type Attributes } from "./markup";
+import { escaped, inScript, written, type Attributes } from "./markup";
 
 export interface SelfContained {
   /** The text of the element's module, wire-sculpture.js. */
@@ -62,8 +62,3 @@ ${inScript(module)}
 
 /** As an address that may stand in a file. */
 export const svgUrl = (svg: string): string => `data:image/svg+xml,${encodeURIComponent(svg)}`;
-
-/** The same script, with nothing in it that an HTML parser takes for the script's end. Only strings and regular expressions have such things. */
-function inScript(module: string): string {
-  return module.replace(/<(?=\/script|!--)/gi, "\\x3c");
-}
