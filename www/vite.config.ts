@@ -26,6 +26,8 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     assetsInlineLimit: 0,
+    // Where a browser does not know it, scripts come as they are asked for.
+    modulePreload: { polyfill: false },
     rolldownOptions: {
       input: PAGES,
       output: { assetFileNames, codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } },

@@ -11,8 +11,8 @@ import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import type { PageTask } from "../shared/page-task";
 import { controls } from "../shared/shared";
+import { labelsOf } from "./labels";
 import { savePanelStyle } from "./save-panel-style";
-import { labelsOf } from "./wire-words";
 
 interface FileKind {
   readonly format: ExportFormat;

@@ -11,12 +11,13 @@ import { copied } from "./copied";
 import { download } from "./download";
 import "./embed-panel";
 import { fileStem } from "./file-name";
+import { labelsOf } from "./labels";
 import { pngOfSvg } from "./png";
 import { MOST_IN_QR, qrOf, qrSvg, type QrCode } from "./qr";
 import { shareDialogStyle } from "./share-dialog-style";
 import { simplified, type Simplified } from "./simplified";
 import { webPage } from "./web-page";
-import { altOf, labelsOf, titleOf } from "./wire-words";
+import { altOf, titleOf } from "./wire-words";
 
 /** Longer links are cut off by some mail and chat programs. */
 const LONG_LINK = 8_000;

@@ -1,13 +1,4 @@
-/** What a wire is called after what was given for it. */
-
-import { deskOf, type StudioState } from "../../state/studio";
-import type { PageTask } from "../shared/page-task";
-
-export function labelsOf({ doc }: StudioState, task: PageTask): readonly string[] {
-  const { made } = deskOf(doc);
-  const given = made?.track?.given ?? (made?.source === "example" ? doc.given[doc.task] : task.blank);
-  return task.labels(given).filter(Boolean);
-}
+/** What a wire is called, after the names of what was given for it. */
 
 /** "Cat, Bird, and Fish", without the endings of files. */
 export function titleOf(labels: readonly string[]): string {
