@@ -1,5 +1,6 @@
 /** A page with the element and nothing else, for frames: filled by its fragment, driven by the page that frames it. */
 
+import "#sculpture/index";
 import { readEmbed, readOrigin } from "./fragment";
 import { answering } from "./answering";
 import type { Sculpture } from "./sculpture";

@@ -23,10 +23,17 @@ export const embedPanelStyle = css`
   }
   wire-sculpture {
     display: block;
-    width: min(100%, var(--wide));
-    max-height: 360px;
+    width: 100%;
+    aspect-ratio: 4 / 3;
     border-radius: 4px;
     overflow: hidden;
+  }
+  wire-sculpture.fluid {
+    aspect-ratio: 3 / 2;
+  }
+  wire-sculpture.square {
+    width: min(100%, 360px);
+    aspect-ratio: 1;
   }
   .choices {
     display: grid;

@@ -83,12 +83,10 @@ export class EmbedPanel extends LitElement {
   private preview() {
     if (this.ready === false) return html`<p class="preview quiet">The preview could not be loaded. The snippets are right all the same.</p>`;
     const { look, color, room, turning, buttons } = this.showing;
-    const { width, height } = SIZES[this.size]!;
-    const shape = `--wide: ${width === null ? "100%" : `${width}px`}; aspect-ratio: ${width ?? 640} / ${height}`;
     return html`<div class="preview">
       ${this.ready
         ? html`<wire-sculpture
-            style=${shape}
+            class=${this.size}
             code=${this.code}
             alt=${this.alt}
             look=${look}

@@ -81,7 +81,13 @@ export const shareDialogStyle = [
     .ways {
       display: grid;
       grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
-      gap: 32px;
+      gap: 24px 32px;
+    }
+    .with-code {
+      grid-template: auto 1fr / auto minmax(0, 1fr);
+    }
+    .with-code .code {
+      grid-row: 1 / 3;
     }
     section {
       display: grid;
@@ -92,17 +98,12 @@ export const shareDialogStyle = [
     h2 {
       color: var(--ink);
     }
-    /* Whole pixels a module, as many as there is room for. */
     .code {
-      width: min(100%, round(up, 320px, calc(var(--side) * 1px)));
+      max-width: 100%;
       height: auto;
       border: 1px solid var(--line);
       border-radius: 6px;
       forced-color-adjust: none;
-    }
-    .qr > div {
-      display: grid;
-      gap: 8px;
     }
     .pair {
       display: flex;
@@ -138,8 +139,12 @@ export const shareDialogStyle = [
         padding: 16px;
       }
       .line,
-      .ways {
-        grid-template-columns: minmax(0, 1fr);
+      .ways,
+      .with-code {
+        grid-template: none / minmax(0, 1fr);
+      }
+      .with-code .code {
+        grid-row: auto;
       }
       .send {
         justify-self: stretch;

@@ -1,4 +1,4 @@
-import { html, LitElement, nothing, svg } from "lit";
+import { html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { dialogStyle } from "../shared/dialog-style";
@@ -21,7 +21,8 @@ import { altOf, titleOf } from "./wire-words";
 
 /** Longer links are cut off by some mail and chat programs. */
 const LONG_LINK = 8_000;
-/** Pixels a side of a QR code's picture. */
+/** Pixels a side of a QR code as it is shown, and as a picture; about. */
+const SHOWN_PX = 320;
 const QR_PX = 1480;
 
 const TABS = ["share", "embed"] as const;
@@ -88,12 +89,13 @@ export class ShareDialog extends LitElement {
   }
 
   private panel() {
-    const { link, code, labels } = this;
+    const { link, shareCode, labels } = this;
     if (this.tab === "share") return this.sharing(link);
-    return html`<embed-panel .studio=${this.studio} .code=${code} .alt=${altOf(labels)} .stem=${fileStem(labels)} .views=${this.views} .page=${() => this.page()} @done=${this.tell}></embed-panel>`;
+    return html`<embed-panel .studio=${this.studio} .code=${shareCode} .alt=${altOf(labels)} .stem=${fileStem(labels)} .views=${this.views} .page=${() => this.page()} @done=${this.tell}></embed-panel>`;
   }
 
   private sharing(link: string) {
+    const code = qrOf(link);
     return html`
       <p>Whoever opens this link gets the whole wire, to turn round and to go on with. No server keeps it.</p>
       ${this.longLink()}
@@ -103,7 +105,7 @@ export class ShareDialog extends LitElement {
       </div>
       ${"share" in navigator ? html`<button class="send" @click=${() => void this.send()}>${icons.share} Send it with…</button>` : nothing}
       <hr />
-      <div class="ways">${this.qr(qrOf(link), link)} ${this.files()}</div>
+      <div class=${code ? "ways with-code" : "ways"}>${code ? this.code(code) : nothing} ${this.aboutCode(code, link)} ${this.files()}</div>
     `;
   }
 
@@ -128,22 +130,23 @@ export class ShareDialog extends LitElement {
     </div>`;
   }
 
-  private qr(code: QrCode | null, link: string) {
-    const about = code ? "Point a phone's camera at it. The code holds the whole wire." : `A QR code holds ${figure(MOST_IN_QR)} characters, and this link has ${figure(link.length)}.`;
-    return html`<section class="qr" aria-labelledby="qr">
+  private code(code: QrCode) {
+    return html`<svg class="code" viewBox="0 0 ${code.side} ${code.side}" width=${wholeModules(code)} role="img" aria-label="QR code of the link" shape-rendering="crispEdges">
+      <path fill="#fff" d="M0 0h${code.side}v${code.side}H0z" />
+      <path fill="#000" d=${code.path} />
+    </svg>`;
+  }
+
+  private aboutCode(code: QrCode | null, link: string) {
+    return html`<section aria-labelledby="qr">
+      <h2 id="qr">QR code</h2>
       ${code
-        ? svg`<svg class="code" viewBox="0 0 ${code.side} ${code.side}" style="--side: ${code.side}" role="img" aria-label="QR code of the link" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${code.side}v${code.side}H0z" /><path fill="#000" d=${code.path} /></svg>`
-        : nothing}
-      <div>
-        <h2 id="qr">QR code</h2>
-        <p class="small quiet">${about}</p>
-        ${code
-          ? html`<div class="pair">
-              <button @click=${() => void this.keepQr(code, "png")}>${icons.download} PNG</button>
-              <button @click=${() => void this.keepQr(code, "svg")}>${icons.download} SVG</button>
+        ? html`<p class="small quiet">Point a phone's camera at it: it holds the whole wire.</p>
+            <div class="pair">
+              <button @click=${() => void this.keepCode(code, "png")}>${icons.download} PNG</button>
+              <button @click=${() => void this.keepCode(code, "svg")}>${icons.download} SVG</button>
             </div>`
-          : nothing}
-      </div>
+        : html`<p class="small quiet">A code holds ${figure(MOST_IN_QR)} characters at most, and this link has ${figure(link.length)}.</p>`}
     </section>`;
   }
 
@@ -171,7 +174,7 @@ export class ShareDialog extends LitElement {
     return deskOf(this.now.doc).made!.finished;
   }
 
-  private get code(): string {
+  private get shareCode(): string {
     return this.simplify && this.simple ? this.simple.code : this.finished.code;
   }
 
@@ -207,7 +210,7 @@ export class ShareDialog extends LitElement {
     }
   }
 
-  private async keepQr(code: QrCode, kind: "png" | "svg"): Promise<void> {
+  private async keepCode(code: QrCode, kind: "png" | "svg"): Promise<void> {
     const text = qrSvg(code);
     const blob = kind === "svg" ? new Blob([text], { type: "image/svg+xml" }) : await pngOfSvg(text, QR_PX - (QR_PX % code.side) || code.side);
     this.keep(blob, `-qr.${kind}`);
@@ -253,5 +256,7 @@ export class ShareDialog extends LitElement {
 }
 
 const COPIED = "Link copied. It carries the whole wire.";
+/** As wide as a code is shown: whole pixels a module. */
+const wholeModules = ({ side }: QrCode): number => side * Math.max(1, Math.round(SHOWN_PX / side));
 const figure = (count: number): string => count.toLocaleString("en");
 const px = (moved: number): string => `${moved.toFixed(1)} px`;
