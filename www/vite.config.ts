@@ -1,3 +1,4 @@
+import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
 import { embedPage } from "./plugins/embed-page";
 import { includes } from "./plugins/includes";
@@ -5,6 +6,21 @@ import { policies } from "./plugins/policies";
 
 /** Each a page of its own. */
 const PAGES = ["index.html", "embed.html", "docs.html"];
+
+const ELEMENT = "packages/wire-sculpture";
+
+/** The element for everybody's pages lies beside this one, under a name that stays. */
+const wireSculpture: Plugin = {
+  name: "wire-sculpture",
+  async generateBundle() {
+    const made = (await build({ configFile: `${ELEMENT}/vite.config.ts`, build: { write: false } })) as Rolldown.RolldownOutput;
+    const [{ fileName, code }] = made.output;
+    this.emitFile({ type: "asset", fileName, source: code });
+  },
+  configureServer: ({ middlewares }) => {
+    middlewares.use("/wire-sculpture.js", (_, response) => void response.writeHead(302, { location: `/${ELEMENT}/src/index.ts` }).end());
+  },
+};
 
 /**
  * What every visit needs of state and of tasks is one script: in pieces it would be larger. Elements come by the columns
@@ -18,7 +34,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [includes, embedPage(), policies],
+  plugins: [includes, embedPage(), policies, wireSculpture],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {
