@@ -13,6 +13,7 @@ const SCULPTURE = join(SRC, "../packages/wire-sculpture/src");
  */
 const ROOMS: readonly string[] = [
   "guidance",
+  "film",
   "engine",
   "state/common",
   "state/picture",
@@ -27,6 +28,7 @@ const ROOMS: readonly string[] = [
   "state",
   "view",
   "ui/shared",
+  "ui/film",
   "ui/settings",
   "ui/guidance",
   "ui/stage",
