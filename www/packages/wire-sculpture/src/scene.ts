@@ -42,10 +42,10 @@ const SWAY_S = 26;
 const SWAY_ONSET_S = 4;
 /** Half of the square a shadow usually fills, and how much of the picture's smaller side the room and a view fill. */
 const SHADOW_HALF = 0.8;
-const ROOM_SHARE = 0.94;
-const VIEW_SHARE = 0.84;
+export const ROOM_SHARE = 0.94;
+export const VIEW_SHARE = 0.84;
 /** Bodies reach farther than the wires that a room is made for. */
-const ROOM_SHARE_OF_BODIES = 0.82;
+export const ROOM_SHARE_OF_BODIES = 0.82;
 const MAX_PICTURE_PX = 4096;
 
 export class StageUnavailable extends Error {}
@@ -483,11 +483,11 @@ export class Scene {
   }
 }
 
-function cornersOf(low: Vec3, high: Vec3): Vec3[] {
+export function cornersOf(low: Vec3, high: Vec3): Vec3[] {
   return Array.from({ length: 8 }, (_, i) => [0, 1, 2].map((c) => (i & (1 << c) ? high : low)[c]!) as unknown as Vec3);
 }
 
-function boxOf({ points, count }: Samples): Vec3[] {
+export function boxOf({ points, count }: Samples): Vec3[] {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
   for (let at = 0; at < 4 * count; at += 4) {
@@ -501,7 +501,7 @@ function boxOf({ points, count }: Samples): Vec3[] {
 }
 
 /** What should be in the picture of the room: the three shadows, and so the wire between them. */
-const ROOM_CORNERS: readonly Vec3[] = [0, 1, 2].flatMap((wall) =>
+export const ROOM_CORNERS: readonly Vec3[] = [0, 1, 2].flatMap((wall) =>
   cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]).map(
     (corner) => corner.map((x, c) => (c === wall ? -WALL_AWAY : x)) as unknown as Vec3,
   ),

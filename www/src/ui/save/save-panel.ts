@@ -39,6 +39,8 @@ export class SavePanel extends Part {
   @property({ attribute: false }) task!: PageTask;
   /** Takes the picture of the stage. */
   @property({ attribute: false }) picture!: () => Promise<Blob>;
+  /** Opens pictures and films. */
+  @property({ attribute: false }) film!: () => void;
   /** The link, where the clipboard is not to be had. */
   @state() private byHand = "";
   @state() private busy = "";
@@ -63,6 +65,9 @@ export class SavePanel extends Part {
       ${FIRST.map((kind) => this.file(kind, none))}
       <button class="file" ?disabled=${none || this.busy !== ""} @click=${() => void this.savePicture()}>
         ${icons.camera}<span><b>PNG</b><span class="small quiet">A picture of the stage</span></span>
+      </button>
+      <button class="file" ?disabled=${none} @click=${() => this.film()}>
+        ${icons.pictures}<span><b>Pictures and films</b><span class="small quiet">To post: PNG, MP4, GIF</span></span>
       </button>
       <div class="svg">
         ${this.file({ format: "svg", name: "SVG", use: "Lines of one view" }, none)}
@@ -152,9 +157,11 @@ export class SavePanel extends Part {
     this.busy = "";
   }
 
-  private keep(blob: Blob, ending: string): void {
+  /** Hands it to the browser's downloads; the name it has there. */
+  keep(blob: Blob, ending: string): string {
     const name = fileStem(labelsOf(this.state, this.task)) + ending;
     download(blob, name);
     this.studio.say(`Saved ${name}`);
+    return name;
   }
 }
