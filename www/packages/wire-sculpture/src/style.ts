@@ -87,7 +87,9 @@ canvas:focus-visible { outline: none; }
 }
 @container (max-width: 400px) {
   .more .group button.square { width: 38px; }
-  .views button { min-width: 0; padding: 0 8px; }
+}
+@container (max-width: 330px) {
+  .views button { min-width: 0; padding: 0 6px; }
 }
 @media (forced-colors: active) {
   .group button[aria-pressed="true"] { forced-color-adjust: none; background: Highlight; color: HighlightText; }
