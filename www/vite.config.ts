@@ -1,9 +1,9 @@
 import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
-import { embedPage } from "./plugins/embed-page";
-import { includes } from "./plugins/includes";
-import { openGraph } from "./plugins/open-graph";
-import { policies } from "./plugins/policies";
+import { embedPage } from "./plugins/embed-page.ts";
+import { includes } from "./plugins/includes.ts";
+import { openGraph } from "./plugins/open-graph.ts";
+import { policies } from "./plugins/policies.ts";
 
 /** Each a page of its own. */
 const PAGES = ["index.html", "embed.html", "docs.html"];
