@@ -7,6 +7,7 @@ import type { Pose, ViewName } from "#sculpture/orbit";
 import type { Made } from "../../state/keeping/document";
 import type { StageWords } from "../shared/page-task";
 import { FilmDialog } from "./film-dialog";
+import { wayOf } from "./wires";
 
 export interface FilmWishes {
   readonly made: Made;
@@ -24,9 +25,8 @@ export interface FilmWishes {
 
 export async function openFilms({ made, views, save, seen, ...scenery }: FilmWishes): Promise<void> {
   const dialog = document.body.appendChild(new FilmDialog());
-  const way = made.track?.loose ? [] : (made.track?.snapshots.map(({ wire }) => wire) ?? []);
   const names = Object.keys(views) as ViewName[];
-  dialog.scenery = { ...scenery, wire: made.finished.wire, way, views: names, view: names.find((name) => name === seen.view) ?? null, pose: poseOf(seen.camera) };
+  dialog.scenery = { ...scenery, wire: made.finished.wire, way: wayOf(made), views: names, view: names.find((name) => name === seen.view) ?? null, pose: poseOf(seen.camera) };
   dialog.save = save;
   await dialog.updateComplete;
   dialog.show();
