@@ -1,8 +1,9 @@
 import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
-import { embedPage } from "./plugins/embed-page";
-import { includes } from "./plugins/includes";
-import { policies } from "./plugins/policies";
+import { embedPage } from "./plugins/embed-page.ts";
+import { includes } from "./plugins/includes.ts";
+import { openGraph } from "./plugins/open-graph.ts";
+import { policies } from "./plugins/policies.ts";
 
 /** Each a page of its own. */
 const PAGES = ["index.html", "embed.html", "docs.html"];
@@ -34,7 +35,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [includes, embedPage(), policies, wireSculpture],
+  plugins: [includes, embedPage(), policies, openGraph(), wireSculpture],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {
