@@ -14,6 +14,8 @@ pub const MAX_CARRIER_BYTES: usize = 64 << 20;
 pub struct Opened {
     /// The wire, exactly as it was from a wire.json, to within a share code's precision from anything else.
     pub sculpture: Sculpture,
+    /// The share code that the file has in place of the wire itself; none in a wire.json.
+    pub code: Option<String>,
     /// What could not be read of what it was made of, a sentence each.
     pub notes: Vec<String>,
 }
@@ -52,7 +54,7 @@ pub fn open_file(name: &str, bytes: &[u8]) -> Result<Opened> {
         [b'{' | b'[', ..] => {
             let mut notes = Vec::new();
             let sculpture = Sculpture::read_json(name, text, &mut notes)?;
-            return Ok(Opened { sculpture, notes });
+            return Ok(Opened { sculpture, code: None, notes });
         }
         [b'<', ..] => in_svg(text),
         [b'g', b'l', b'T', b'F', ..] => in_glb(text),
@@ -131,5 +133,5 @@ fn opened(name: &str, capsule: &Value) -> Result<Opened> {
     let made_with = MadeWith { settings, wire4d, ..wire.made_with };
     let mut notes = Vec::new();
     let carried = Carried::read([&capsule["drawings"], &capsule["given"], &capsule["replay"]], &mut notes);
-    Ok(Opened { sculpture: Sculpture { made_with, carried, ..wire }, notes })
+    Ok(Opened { sculpture: Sculpture { made_with, carried, ..wire }, code: Some(code.to_owned()), notes })
 }

@@ -3,7 +3,7 @@
 /** A file begins with the one and has the other in it. */
 const KINDS: readonly (readonly [begins: RegExp, carries: RegExp])[] = [
   [/^.PNG\r\n/s, /iTXtwire4d\0/],
-  [/^glTF/, /"format"\s*:\s*"wire4d"/],
+  [/^glTF/, /"format"\s*:\s*"wire4d"|"wire4d"\s*:\s*\{[^{}]*"code"/],
   [/^[^<{]{0,8}</, /<metadata id="wire4d">/],
   [/^[^<{]{0,8}\{/, /"format"\s*:\s*"wire4d"/],
 ];
