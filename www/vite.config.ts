@@ -1,20 +1,25 @@
-import type { Plugin } from "vite";
+import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
+import { embedPage } from "./plugins/embed-page";
+import { includes } from "./plugins/includes";
+import { policies } from "./plugins/policies";
 
-/** Nothing leaves the device, and nothing from elsewhere runs. Only in the build: the development server injects styles. */
-const contentSecurityPolicy: Plugin = {
-  name: "content-security-policy",
-  apply: "build",
-  transformIndexHtml: () => [
-    {
-      tag: "meta",
-      attrs: {
-        "http-equiv": "Content-Security-Policy",
-        content: "default-src 'self'; img-src 'self' blob:; script-src 'self' 'wasm-unsafe-eval'; object-src 'none'; base-uri 'none'; form-action 'none'",
-      },
-      injectTo: "head-prepend",
-    },
-  ],
+/** Each a page of its own. */
+const PAGES = ["index.html", "embed.html", "docs.html"];
+
+const ELEMENT = "packages/wire-sculpture";
+
+/** The element for everybody's pages lies beside this one, under a name that stays. */
+const wireSculpture: Plugin = {
+  name: "wire-sculpture",
+  async generateBundle() {
+    const made = (await build({ configFile: `${ELEMENT}/vite.config.ts`, build: { write: false } })) as Rolldown.RolldownOutput;
+    const [{ fileName, code }] = made.output;
+    this.emitFile({ type: "asset", fileName, source: code });
+  },
+  configureServer: ({ middlewares }) => {
+    middlewares.use("/wire-sculpture.js", (_, response) => void response.writeHead(302, { location: `/${ELEMENT}/src/index.ts` }).end());
+  },
 };
 
 /**
@@ -29,7 +34,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [contentSecurityPolicy],
+  plugins: [includes, embedPage(), policies, wireSculpture],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {
@@ -37,7 +42,12 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     assetsInlineLimit: 0,
-    rolldownOptions: { output: { assetFileNames, codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } } },
+    // Where a browser does not know it, scripts come as they are asked for.
+    modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: PAGES,
+      output: { assetFileNames, codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } },
+    },
   },
   test: {
     projects: [

@@ -29,6 +29,8 @@ const WALLS: readonly { axes: readonly [Vec3, Vec3, Vec3]; brightness: number }[
 });
 
 export class Painter {
+  /** Behind everything: red, green, blue and their share, 0 to 1, by which they are multiplied already. None by itself. */
+  ground: readonly [number, number, number, number] = [0, 0, 0, 0];
   private readonly tube: Program;
   private readonly shadowTube: Program;
   private readonly soften: Program;
@@ -101,7 +103,7 @@ export class Painter {
   paint(camera: Camera, back: Vec3, look: Look, width: number, height: number, through: boolean, hasty: boolean): void {
     const { gl, tube } = this;
     gl.viewport(0, 0, width, height);
-    gl.clearColor(0, 0, 0, 0);
+    gl.clearColor(...this.ground);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     if (look.room) this.paintWalls(camera.clipFromWorld, back, look);
     gl.enable(gl.DEPTH_TEST);

@@ -106,7 +106,7 @@ export class WireApp extends LitElement {
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
-            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))}></save-panel>
+            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
             <settings-panel
@@ -310,7 +310,16 @@ export class WireApp extends LitElement {
   /** What actions work with. */
   private get all(): PageParts {
     const { bench, project, runs, opener } = this.studio;
-    return { bench, project, runs, opener, flyTo: (view) => this.stage.flyTo(view), copyLink: () => void this.saving.copyLink(), help: () => void this.help() };
+    return { bench, project, runs, opener, flyTo: (view) => this.stage.flyTo(view), share: () => void this.saving.share(), help: () => void this.help() };
+  }
+
+  /** Pictures and films, loaded when they are first wanted: of what the stage shows. */
+  private async film(): Promise<void> {
+    const { made } = deskOf(this.now.doc);
+    if (!made) return;
+    const [{ openFilms }, { isDark }] = await Promise.all([import("../film/open-films"), import("../shared/theme")]);
+    const body = this.parts[this.task.name]?.body?.(this.now) ?? null;
+    await openFilms({ made, body, through: this.through, ...this.look, dark: isDark(), views: this.task.stage.views, save: (blob, ending) => this.saving.keep(blob, ending) });
   }
 
   /** Help is loaded when it is first wanted. */

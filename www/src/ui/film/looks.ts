@@ -1,0 +1,13 @@
+/** The looks as words, and as the colours that a picture has on light walls or dark ones. */
+
+import { lookOf, type Look, type LookName } from "#sculpture/looks";
+import { usualTints } from "#sculpture/tints";
+
+export const LOOK_WORDS: Readonly<Record<LookName, string>> = {
+  copper: "Copper",
+  steel: "Black steel",
+  parameter: "Colours along the wire",
+  width: "Colours by width",
+};
+
+export const lookFor = (name: LookName, dark: boolean, room: boolean): Look => lookOf(name, usualTints(dark), room);
