@@ -17,13 +17,15 @@ export interface FilmWishes {
   readonly views: StageWords["views"];
   /** Takes a file and the end of its name, and answers with the whole name. */
   readonly save: (made: Blob, ending: string) => string;
+  /** Puts the wire into a PNG picture of it. */
+  readonly carrying: (picture: Blob) => Promise<Blob>;
 }
 
-export async function openFilms({ made, views, save, ...seen }: FilmWishes): Promise<void> {
+export async function openFilms({ made, views, save, carrying, ...seen }: FilmWishes): Promise<void> {
   const dialog = document.body.appendChild(new FilmDialog());
   const way = made.track?.loose ? [] : (made.track?.snapshots.map(({ wire }) => wire) ?? []);
   dialog.scenery = { ...seen, wire: made.finished.wire, way, views: Object.keys(views) as ViewName[], pose: null };
-  dialog.save = save;
+  Object.assign(dialog, { save, carrying });
   await dialog.updateComplete;
   dialog.show();
 }
