@@ -19,6 +19,7 @@ const ROOMS: readonly string[] = [
   "state/picture",
   "state/keeping",
   "state/contract",
+  "state/carrying",
   "state/settings",
   "state/address",
   "state/run",
