@@ -1,4 +1,4 @@
-import type { Plugin } from "vite";
+import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
 
 /** Nothing leaves the device, and nothing from elsewhere runs. Only in the build: the development server injects styles. */
@@ -17,6 +17,21 @@ const contentSecurityPolicy: Plugin = {
   ],
 };
 
+const ELEMENT = "packages/wire-sculpture";
+
+/** The element for everybody's pages lies beside this one, under a name that stays. */
+const wireSculpture: Plugin = {
+  name: "wire-sculpture",
+  async generateBundle() {
+    const made = (await build({ configFile: `${ELEMENT}/vite.config.ts`, build: { write: false } })) as Rolldown.RolldownOutput;
+    const [{ fileName, code }] = made.output;
+    this.emitFile({ type: "asset", fileName, source: code });
+  },
+  configureServer: ({ middlewares }) => {
+    middlewares.use("/wire-sculpture.js", (_, response) => void response.writeHead(302, { location: `/${ELEMENT}/src/index.ts` }).end());
+  },
+};
+
 /**
  * What every visit needs of state and of tasks is one script: in pieces it would be larger. Elements come by the columns
  * that they are in, and later comes what is only wanted later.
@@ -29,7 +44,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [contentSecurityPolicy],
+  plugins: [contentSecurityPolicy, wireSculpture],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {

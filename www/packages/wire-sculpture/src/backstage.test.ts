@@ -20,7 +20,7 @@ function stage() {
   const worker = new Silent();
   const canvas = { transferControlToOffscreen: () => ({}) } as unknown as HTMLCanvasElement;
   let lost = 0;
-  const backstage = inWorker(worker as unknown as Worker, canvas, {} as Look, { view: () => {}, lost: () => {} }, () => lost++);
+  const backstage = inWorker(worker as unknown as Worker, canvas, {} as Look, { view: () => {}, lost: () => {}, camera: () => {}, drawn: () => {} }, () => lost++);
   return { worker, backstage, lost: () => lost };
 }
 
@@ -28,7 +28,7 @@ describe("pictures of a stage in a worker", () => {
   it("come, or say that they cannot be drawn", async () => {
     const { worker, backstage } = stage();
     const [first, second] = [backstage.picture(9, 9), backstage.picture(9, 9)];
-    expect(worker.orders.slice(1)).toEqual([{ picture: 1, widthPx: 9, heightPx: 9 }, { picture: 2, widthPx: 9, heightPx: 9 }]);
+    expect(worker.orders.slice(1)).toEqual([{ picture: 1, of: [9, 9] }, { picture: 2, of: [9, 9] }]);
     const blob = new Blob(["x"]);
     worker.onmessage!({ data: { picture: 2, blob } });
     worker.onmessage!({ data: { picture: 1, blob: null } });

@@ -1,27 +1,33 @@
 /** Where the scene is: here, or in a worker, where a slow graphics card or none keeps the page from nothing. */
 
 import type { Look } from "./looks";
-import { Scene, type SceneEvents } from "./scene";
+import type { Scene, SceneEvents } from "./scene";
 
 /** What the scene can be told without waiting for an answer. */
-type Act = "setWire" | "mark" | "setBody" | "seeThrough" | "setLook" | "resize" | "keepStill" | "turn" | "zoom" | "pan" | "step" | "flyTo" | "tour" | "sway";
+type Act = "setWire" | "pause" | "place" | "mark" | "setBody" | "seeThrough" | "setLook" | "resize" | "keepStill" | "turn" | "zoom" | "pan" | "step" | "flyTo" | "tour" | "sway";
 type ActOrder = { [K in Act]: { readonly act: K; readonly given: Parameters<Scene[K]> } }[Act];
 
 /** To the worker: the first one opens the scene. */
 export type Order =
   | { readonly open: OffscreenCanvas; readonly look: Look }
   | ActOrder
-  | { readonly picture: number; readonly widthPx: number; readonly heightPx: number };
+  | { readonly picture: number; readonly of: PictureOrder };
 
 /** From the worker. */
 export type Report =
   | { [K in keyof SceneEvents]: { readonly event: K; readonly given: Parameters<SceneEvents[K]> } }[keyof SceneEvents]
+  | { readonly ready: true }
   | { readonly unavailable: true }
   | { readonly picture: number; readonly blob: Blob | null };
 
+export type PictureOrder = Parameters<Scene["picture"]>;
+
+/** A worker that has said nothing for so long has not begun. */
+const SILENCE_MS = 10_000;
+
 export interface Backstage {
   act<K extends Act>(act: K, ...given: Parameters<Scene[K]>): void;
-  picture(widthPx: number, heightPx: number): Promise<Blob>;
+  picture(...of: PictureOrder): Promise<Blob>;
   dispose(): void;
 }
 
@@ -29,13 +35,18 @@ export function perform(scene: Scene, { act, given }: ActOrder): void {
   (scene[act] as (...given: unknown[]) => void)(...given);
 }
 
-/** @throws StageUnavailable where the browser has no WebGL 2. */
-export function inPage(canvas: HTMLCanvasElement, look: Look, events: SceneEvents): Backstage {
-  const scene = new Scene(canvas, look, events);
+/** The scene comes when it is wanted: mostly a worker has it. `unavailable` is called where the browser has no WebGL 2. */
+export function inPage(canvas: HTMLCanvasElement, look: Look, events: SceneEvents, unavailable: () => void): Backstage {
+  const opened = import("./scene").then(({ Scene }) => new Scene(canvas, look, events));
+  opened.catch((error: unknown) => {
+    console.warn(error);
+    unavailable();
+  });
+  const whenOpen = (action: (scene: Scene) => void): void => void opened.then(action, () => undefined);
   return {
-    act: (act, ...given) => perform(scene, { act, given } as ActOrder),
-    picture: (widthPx, heightPx) => scene.picture(widthPx, heightPx),
-    dispose: () => scene.dispose(),
+    act: (act, ...given) => whenOpen((scene) => perform(scene, { act, given } as ActOrder)),
+    picture: async (...of) => (await opened).picture(...of),
+    dispose: () => whenOpen((scene) => scene.dispose()),
   };
 }
 
@@ -50,15 +61,19 @@ export function inWorker(worker: Worker, canvas: HTMLCanvasElement, look: Look, 
     waiting.clear();
   };
   const fail = (): void => {
+    clearTimeout(silence);
     giveUp();
     unavailable();
   };
+  // Where workers are forbidden, not every browser says so.
+  const silence = setTimeout(fail, SILENCE_MS);
   worker.onmessage = ({ data }: MessageEvent<Report>) => {
+    clearTimeout(silence);
     if ("event" in data) {
       (events[data.event] as (given: unknown) => void)(data.given[0]);
     } else if ("unavailable" in data) {
       fail();
-    } else {
+    } else if ("picture" in data) {
       const { resolve, reject } = waiting.get(data.picture) ?? {};
       waiting.delete(data.picture);
       if (data.blob) resolve?.(data.blob);
@@ -70,12 +85,13 @@ export function inWorker(worker: Worker, canvas: HTMLCanvasElement, look: Look, 
   send({ open: offscreen, look }, [offscreen]);
   return {
     act: (act, ...given) => send({ act, given } as ActOrder),
-    picture: (widthPx, heightPx) =>
+    picture: (...of) =>
       new Promise((resolve, reject) => {
         waiting.set(++pictures, { resolve, reject });
-        send({ picture: pictures, widthPx, heightPx });
+        send({ picture: pictures, of });
       }),
     dispose: () => {
+      clearTimeout(silence);
       worker.terminate();
       giveUp();
     },

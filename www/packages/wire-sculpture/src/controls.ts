@@ -1,13 +1,20 @@
 /** Mouse, touch and keys turned into turns, zooms and pans. */
 
-import type { ViewName } from "./orbit";
-
 export interface Holds {
   turn(azimuthRad: number, elevationRad: number): void;
   zoom(factor: number): void;
   /** By shares of the picture's half height. */
   pan(right: number, up: number): void;
-  view(name: ViewName): void;
+}
+
+/** What of a person's doings is taken; read whenever they do something. */
+export interface Grip {
+  /** Whether the camera is held at all. */
+  readonly turns: boolean;
+  /** Whether the wheel zooms, and does not scroll the page. */
+  readonly wheel: boolean;
+  /** Keys of their own; whether that was one. */
+  key(key: string): boolean;
 }
 
 const RAD_PER_PX = 0.0075;
@@ -20,15 +27,10 @@ const KEYS: Readonly<Record<string, (holds: Holds, shift: boolean) => void>> = {
   "+": (holds) => holds.zoom(1 / 1.15),
   "=": (holds) => holds.zoom(1 / 1.15),
   "-": (holds) => holds.zoom(1.15),
-  "1": (holds) => holds.view("front"),
-  "2": (holds) => holds.view("side"),
-  "3": (holds) => holds.view("top"),
-  f: (holds) => holds.view("room"),
-  F: (holds) => holds.view("room"),
 };
 
 /** Starts listening; the result stops it. */
-export function listen(canvas: HTMLCanvasElement, holds: Holds): () => void {
+export function listen(canvas: HTMLCanvasElement, holds: Holds, grip: Grip): () => void {
   const fingers = new Map<number, { x: number; y: number }>();
   const stop = new AbortController();
   const { signal } = stop;
@@ -36,6 +38,7 @@ export function listen(canvas: HTMLCanvasElement, holds: Holds): () => void {
   canvas.addEventListener(
     "pointerdown",
     (event) => {
+      if (!grip.turns) return;
       canvas.setPointerCapture(event.pointerId);
       fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     },
@@ -67,10 +70,12 @@ export function listen(canvas: HTMLCanvasElement, holds: Holds): () => void {
   const release = (event: PointerEvent): void => void fingers.delete(event.pointerId);
   canvas.addEventListener("pointerup", release, { signal });
   canvas.addEventListener("pointercancel", release, { signal });
-  canvas.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
+  canvas.addEventListener("contextmenu", (event) => grip.turns && event.preventDefault(), { signal });
   canvas.addEventListener(
     "wheel",
     (event) => {
+      // Two fingers on a touch pad come as a wheel with ctrl.
+      if (!grip.turns || !(grip.wheel || event.ctrlKey)) return;
       event.preventDefault();
       holds.zoom(Math.exp(Math.max(-80, Math.min(80, event.deltaY)) * 0.0022));
     },
@@ -79,10 +84,11 @@ export function listen(canvas: HTMLCanvasElement, holds: Holds): () => void {
   canvas.addEventListener(
     "keydown",
     (event) => {
-      const action = event.ctrlKey || event.metaKey || event.altKey ? undefined : KEYS[event.key];
-      if (!action) return;
+      if (!grip.turns || event.ctrlKey || event.metaKey || event.altKey) return;
+      const action = KEYS[event.key];
+      if (!action && !grip.key(event.key)) return;
       event.preventDefault();
-      action(holds, event.shiftKey);
+      action?.(holds, event.shiftKey);
     },
     { signal },
   );

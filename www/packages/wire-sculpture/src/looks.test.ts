@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { linear } from "./gl";
 import { LOOK_NAMES, lookOf, tonesOf } from "./looks";
+import { TINTS, type Tints } from "./tints";
 
 const samples = { points: Float32Array.of(0, 0, 0, 0.1, 1, 0, 0, 0.3, 2, 0, 0, 0.2), parameters: Float32Array.of(0, 0.5, 1) };
 
@@ -15,9 +16,10 @@ it("has colours that only get lighter along the map, so that nobody needs to tel
     const [r, g, b] = linear(hex);
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
-  for (const dark of [false, true]) {
+  for (const dark of [0, 1]) {
+    const tints = Object.fromEntries(Object.entries(TINTS).map(([name, both]) => [name, both[dark]!])) as Tints;
     for (const name of LOOK_NAMES) {
-      const { ramp, colouring } = lookOf(name, dark, true);
+      const { ramp, colouring } = lookOf(name, tints, true);
       for (let k = 1; k < ramp.length; k++) {
         const [before, after] = [lightness(ramp[k - 1]!), lightness(ramp[k]!)];
         if (colouring === "metal") expect(after).toBe(before);

@@ -1,5 +1,7 @@
 /** How the wire and its room can look. */
 
+import type { Tints } from "./tints";
+
 /** Colours as `#rrggbb`. */
 export interface Look {
   /** Metal of one colour, or a colour map along the wire or by its width. */
@@ -15,6 +17,8 @@ export interface Look {
   readonly wall: string;
   readonly lit: string;
   readonly shadow: string;
+  /** Rings round places. */
+  readonly mark: string;
   /** Off: the wire alone. */
   readonly room: boolean;
 }
@@ -22,28 +26,17 @@ export interface Look {
 export const LOOK_NAMES = ["copper", "steel", "parameter", "width"] as const;
 export type LookName = (typeof LOOK_NAMES)[number];
 
-type Room = Pick<Look, "sky" | "ground" | "wall" | "lit" | "shadow">;
-const LIGHT: Room = { sky: "#efebe4", ground: "#7c6552", wall: "#f6f3ee", lit: "#fffefb", shadow: "#3d342d" };
-const DARK: Room = { sky: "#a39c92", ground: "#2c221a", wall: "#302d29", lit: "#5a534a", shadow: "#0b0a09" };
+const RAMP = ["ramp-1", "ramp-2", "ramp-3", "ramp-4", "ramp-5"] as const;
 
-const plain = (colour: string): Look["ramp"] => [colour, colour, colour, colour, colour];
-/** The middle of plasma: told apart with any colour vision, its lightness only rises, and no end is lost on a wall. */
-const RAMP: Readonly<Record<"light" | "dark", Look["ramp"]>> = {
-  light: ["#2a0593", "#7a02a8", "#b92f86", "#e2625d", "#f79c38"],
-  dark: ["#5b2fd0", "#9c2fc4", "#d14a93", "#f07c55", "#fcc63a"],
-};
-
-export function lookOf(name: LookName, dark: boolean, room: boolean): Look {
-  const walls = dark ? DARK : LIGHT;
-  switch (name) {
-    case "copper":
-      return { ...walls, room, colouring: "metal", gloss: 0.8, ramp: plain(dark ? "#d18a50" : "#bf7640") };
-    case "steel":
-      return { ...walls, room, colouring: "metal", gloss: 0.9, ramp: plain(dark ? "#686c73" : "#3a3d42") };
-    case "parameter":
-    case "width":
-      return { ...walls, room, colouring: name, gloss: 0.25, ramp: RAMP[dark ? "dark" : "light"] };
+/** `metal` goes before the metal's own colour. */
+export function lookOf(name: LookName, tints: Tints, room: boolean, metal: string | null = null): Look {
+  const { sky, ground, wall, lit, shade, mark } = tints;
+  const walls = { sky, ground, wall, lit, shadow: shade, mark, room };
+  if (name === "parameter" || name === "width") {
+    return { ...walls, colouring: name, gloss: 0.25, ramp: RAMP.map((stop) => tints[stop]) as unknown as Look["ramp"] };
   }
+  const colour = metal ?? tints[name];
+  return { ...walls, colouring: "metal", gloss: name === "steel" ? 0.9 : 0.8, ramp: [colour, colour, colour, colour, colour] };
 }
 
 /** Each sample's place on the ramp, 0 to 1. */

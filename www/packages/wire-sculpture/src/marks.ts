@@ -3,8 +3,6 @@
 import { Program, shown } from "./gl";
 import type { Mat4, Vec3 } from "./matrix";
 
-/** Told from copper and from steel, on light walls and dark ones. */
-const COLOUR = "#d81b60";
 /** Across, in CSS pixels. */
 const SIZE = 22;
 
@@ -55,13 +53,13 @@ export class Marks {
   }
 
   /** Over all that is drawn; `density` is the picture's pixels to one of CSS, `halo` the walls' colour. */
-  paint(clipFromWorld: Mat4, density: number, halo: string): void {
+  paint(clipFromWorld: Mat4, density: number, ring: string, halo: string): void {
     const { gl, program } = this;
     if (this.count === 0) return;
     program.use();
     gl.uniformMatrix4fv(program.at("clipFromWorld"), false, clipFromWorld);
     gl.uniform1f(program.at("size"), SIZE * density);
-    gl.uniform3fv(program.at("ring"), shown(COLOUR));
+    gl.uniform3fv(program.at("ring"), shown(ring));
     gl.uniform3fv(program.at("halo"), shown(halo));
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);

@@ -35,10 +35,16 @@ export const DIRECTIONS = {
 /** The room as a whole, or a view straight on. */
 export type ViewName = keyof typeof DIRECTIONS;
 
-/** One of those, or anywhere else. */
-export type Vantage = ViewName | Pick<Direction, "azimuthRad" | "elevationRad">;
+/** Anywhere else: straight on, or through the usual lens; `away` is a factor of the distance. */
+export type Heading = Pick<Direction, "azimuthRad" | "elevationRad"> & { readonly away?: number; readonly wide?: boolean };
 
-export const directionOf = (vantage: Vantage): Direction => (typeof vantage === "string" ? DIRECTIONS[vantage] : { ...vantage, fovYRad: NARROW_RAD });
+export type Vantage = ViewName | Heading;
+
+export function directionOf(vantage: Vantage): Direction {
+  if (typeof vantage === "string") return DIRECTIONS[vantage];
+  const { azimuthRad, elevationRad, wide } = vantage;
+  return { azimuthRad, elevationRad, fovYRad: wide ? USUAL_RAD : NARROW_RAD };
+}
 
 export interface Camera {
   clipFromWorld: Mat4;

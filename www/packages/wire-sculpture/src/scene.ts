@@ -56,6 +56,10 @@ export interface SceneEvents {
   view(name: ViewName | null): void;
   /** The browser took the graphics card away, or gave it back. */
   lost(lost: boolean): void;
+  /** Where the camera is, whenever that has changed. */
+  camera(pose: Pose): void;
+  /** A wire that had been set is seen for the first time. */
+  drawn(): void;
 }
 
 export class Scene {
@@ -77,6 +81,14 @@ export class Scene {
   private box: readonly Vec3[] = cornersOf([-SHADOW_HALF, -SHADOW_HALF, -SHADOW_HALF], [SHADOW_HALF, SHADOW_HALF, SHADOW_HALF]);
   private ringData: Float32Array<ArrayBuffer> | undefined;
   private view: ViewName | null = "room";
+  /** Where the camera is or flies to; null where a person turned it by hand. */
+  private vantage: Vantage | null = "room";
+  private told = "";
+  /** Whether the wire has not been seen. */
+  private unseen = false;
+  /** The first wire is framed anew. */
+  private unframed = true;
+  private paused = false;
   private readonly orbit: Orbit;
   private frame = 0;
   private lastFrameMs = 0;
@@ -87,6 +99,8 @@ export class Scene {
   private fineness = 1;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private swaying = false;
+  /** Round and round, and not to and fro. */
+  private round = false;
   private swayStartMs = 0;
   private swayFrom = 0;
   /** Places still to come, and the wait at the present one. */
@@ -119,8 +133,14 @@ export class Scene {
   /** To be told before anything is drawn. What is shown is stretched until the next picture is there, but never empty. */
   resize(width: number, height: number, density: number): void {
     [this.width, this.height, this.density] = [width, height, Math.min(MAX_DENSITY, density)];
-    if (this.view && !this.orbit.flying) this.orbit.flyTo(this.atAzimuth(this.poseOf(this.view, this.aspect)), 0, 0);
+    this.reframe();
     this.invalidate();
+  }
+
+  /** Nobody sees it: nothing is drawn until somebody does. */
+  pause(paused: boolean): void {
+    this.paused = paused;
+    if (!paused) this.ask();
   }
 
   /** Whether nothing may move by itself. */
@@ -133,6 +153,8 @@ export class Scene {
     // Another wire, and not the next step of the same: its shadows must not be the last one's.
     if (wire?.controlPoints.length !== this.wire?.controlPoints.length) this.loads = 0;
     this.wire = wire;
+    this.unseen = wire !== null;
+    this.unframed ||= !wire;
     this.wireStale = true;
     this.invalidate();
   }
@@ -175,9 +197,18 @@ export class Scene {
   }
 
   /** A view straight on, or the room as a whole. */
-  flyTo(vantage: Vantage): void {
+  flyTo(vantage: Vantage, durationMs = FLIGHT_MS): void {
     this.rouse();
-    this.go(vantage, FLIGHT_MS);
+    this.go(vantage, durationMs);
+  }
+
+  /** Where somebody has left it before, at once. */
+  place(pose: Pose): void {
+    this.rouse();
+    this.orbit.flyTo(pose, 0, 0);
+    this.vantage = null;
+    this.setView(null);
+    this.invalidate();
   }
 
   turn(azimuthRad: number, elevationRad: number): void {
@@ -208,8 +239,9 @@ export class Scene {
     this.nextOfTour();
   }
 
-  /** Whether the camera sways slowly by itself; never for people who asked for less motion. */
-  sway(on: boolean): void {
+  /** Whether the camera sways slowly by itself, or goes round; never for people who asked for less motion. */
+  sway(on: boolean, round = this.round): void {
+    this.round = round;
     if (this.touring) {
       this.swayAfterTour = on;
       return;
@@ -221,24 +253,24 @@ export class Scene {
     this.invalidate();
   }
 
-  /** What the stage shows as a PNG of that size, on the colour of its walls. */
-  async picture(widthPx: number, heightPx: number): Promise<Blob> {
+  /** What the stage shows as a picture of that size, on the colour of its walls or on nothing. */
+  async picture(widthPx: number, heightPx: number, transparent = false, type = "image/png"): Promise<Blob> {
     const [width, height] = [widthPx, heightPx].map((size) => Math.max(1, Math.min(MAX_PICTURE_PX, Math.round(size)))) as [number, number];
     const flat = new OffscreenCanvas(width, height);
     const context = flat.getContext("2d")!;
     context.fillStyle = this.look.wall;
-    context.fillRect(0, 0, width, height);
+    if (!transparent) context.fillRect(0, 0, width, height);
     if (this.wireStale || this.fineness < 1) {
       this.fineness = 1;
       this.loadWire();
     }
     // Shown and copied in the same task, or the browser would have cleared it; and nobody sees it at the wrong size.
-    this.paint(width, height, this.view && !this.orbit.flying ? this.atAzimuth(this.poseOf(this.view, width / height)) : this.orbit.pose);
+    this.paint(width, height, this.vantage && !this.orbit.flying ? this.atAzimuth(this.poseOf(this.vantage, width / height)) : this.orbit.pose);
     this.easel.show();
     context.drawImage(this.canvas, 0, 0);
     this.paintCanvas();
     this.easel.show();
-    return flat.convertToBlob({ type: "image/png" });
+    return flat.convertToBlob({ type });
   }
 
   dispose(): void {
@@ -274,16 +306,23 @@ export class Scene {
 
   private poseOf(vantage: Vantage, aspect: number): Pose {
     const room = vantage === "room" && this.look.room;
-    return framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? (this.body ? ROOM_SHARE_OF_BODIES : ROOM_SHARE) : VIEW_SHARE);
+    const pose = framed(directionOf(vantage), room ? ROOM_CORNERS : this.box, aspect, room ? (this.body ? ROOM_SHARE_OF_BODIES : ROOM_SHARE) : VIEW_SHARE);
+    return typeof vantage === "string" ? pose : { ...pose, reach: pose.reach * (vantage.away ?? 1) };
+  }
+
+  /** Where the camera is, for another size or another wire. */
+  private reframe(): void {
+    if (this.vantage && !this.orbit.flying) this.orbit.flyTo(this.atAzimuth(this.poseOf(this.vantage, this.aspect)), 0, 0);
   }
 
   /** The same frame, seen from where the swaying camera is. */
   private atAzimuth(pose: Pose): Pose {
-    return this.view === "room" ? { ...pose, azimuthRad: this.orbit.pose.azimuthRad } : pose;
+    return this.view === "room" || this.swaying ? { ...pose, azimuthRad: this.orbit.pose.azimuthRad } : pose;
   }
 
   private go(vantage: Vantage, durationMs: number): void {
     this.orbit.flyTo(this.poseOf(vantage, this.aspect), performance.now(), this.still ? 0 : durationMs);
+    this.vantage = vantage;
     this.setView(typeof vantage === "string" ? vantage : null);
     this.invalidate();
   }
@@ -305,6 +344,7 @@ export class Scene {
   private held(action: () => void): void {
     this.rouse();
     action();
+    this.vantage = null;
     this.setView(null);
     this.invalidate();
   }
@@ -330,7 +370,7 @@ export class Scene {
 
   private readonly ask = (): void => {
     this.breath = undefined;
-    this.frame ||= requestAnimationFrame(this.draw);
+    if (!this.paused) this.frame ||= requestAnimationFrame(this.draw);
   };
 
   private readonly draw = (nowMs: number): void => {
@@ -342,6 +382,10 @@ export class Scene {
         return;
       }
       this.easel.show();
+      if (this.unseen && !this.wireStale) {
+        this.unseen = false;
+        this.events.drawn();
+      }
       // A picture that nothing follows may take its time.
       const lateMs = performance.now() - this.paintedMs;
       if (this.stale) this.adapt(lateMs);
@@ -362,14 +406,23 @@ export class Scene {
     if (this.swaying && !flying) {
       const seconds = Math.max(0, nowMs - this.swayStartMs) / 1000;
       const onset = Math.min(1, seconds / SWAY_ONSET_S);
-      this.orbit.pose.azimuthRad = this.swayFrom + SWAY_RAD * onset * Math.sin((seconds / SWAY_S) * 2 * Math.PI);
+      const share = (seconds / SWAY_S) * 2 * Math.PI;
+      this.orbit.pose.azimuthRad = this.swayFrom + onset * (this.round ? share : SWAY_RAD * Math.sin(share));
     }
     if (this.wireStale) this.loadWire();
     this.paintCanvas();
+    this.tellCamera();
     if (flew && !flying && this.touring) this.stay();
     this.stale = flying || this.swaying;
     this.ask();
   };
+
+  private tellCamera(): void {
+    const now = JSON.stringify(this.orbit.pose);
+    if (now === this.told) return;
+    this.told = now;
+    this.events.camera({ ...this.orbit.pose });
+  }
 
   /** Coarser when pictures are late; fine again after a rest. */
   private adapt(lateMs: number): void {
@@ -398,6 +451,8 @@ export class Scene {
       const rings = buildRings(samples, tonesOf(this.look.colouring, samples), this.ringData);
       this.ringData = rings.data;
       this.box = boxOf(samples);
+      if (this.unframed) this.reframe();
+      this.unframed = false;
       this.painter.load(rings);
     } else {
       this.painter.load({ count: 0, data: new Float32Array(0) });
@@ -423,7 +478,7 @@ export class Scene {
     const camera = cameraOf(pose, width, height);
     this.easel.draw(width, height, () => {
       this.painter.paint(camera, axesOf(pose).back, this.look, width, height, this.through, this.fineness < 1);
-      this.marks?.paint(camera.clipFromWorld, width / (this.width || width), this.look.wall);
+      this.marks?.paint(camera.clipFromWorld, width / (this.width || width), this.look.mark, this.look.wall);
     });
   }
 }

@@ -3,23 +3,22 @@
  * of the rest of the page.
  */
 
-import { inPage, inWorker, type Backstage } from "./backstage";
+import { inPage, inWorker, type Backstage, type PictureOrder } from "./backstage";
 import type { BodyShape } from "./body";
-import { listen } from "./controls";
+import { listen, type Grip } from "./controls";
 import type { Look } from "./looks";
 import type { Vec3 } from "./matrix";
-import type { Vantage } from "./orbit";
+import type { Pose, Vantage } from "./orbit";
 import type { SceneEvents } from "./scene";
 import type { WireShape } from "./shape";
 
-export type { Vantage, ViewName } from "./orbit";
-export { StageUnavailable } from "./scene";
+export type { Pose, Vantage, ViewName } from "./orbit";
 
 /** What the stage tells. */
 export interface StageEvents extends SceneEvents {
   /** A person took hold of the camera. */
   hold(): void;
-  /** The worker cannot draw. This stage is of no use; one without a worker, on another canvas, may be. */
+  /** It cannot draw, and is of no use; where a worker was to, one without, on another canvas, may be. */
   unavailable(): void;
 }
 
@@ -30,15 +29,12 @@ export class Stage {
   private readonly ending = new AbortController();
   private readonly hold: () => void;
 
-  /**
-   * With a worker that runs `backstage-worker.ts`, everything is drawn there.
-   * @throws StageUnavailable where the browser has no WebGL 2; with a worker, `unavailable` tells.
-   */
-  constructor(canvas: HTMLCanvasElement, look: Look, events: Partial<StageEvents> = {}, worker: Worker | null = null) {
-    const { hold = NOTHING, view = NOTHING, lost = NOTHING, unavailable = NOTHING } = events;
+  /** With a worker that serves (`serving.ts`), everything is drawn there. */
+  constructor(canvas: HTMLCanvasElement, look: Look, grip: Grip, events: Partial<StageEvents> = {}, worker: Worker | null = null) {
+    const { hold = NOTHING, view = NOTHING, lost = NOTHING, camera = NOTHING, drawn = NOTHING, unavailable = NOTHING } = events;
     this.hold = hold;
-    const told = { view, lost };
-    this.backstage = worker ? inWorker(worker, canvas, look, told, unavailable) : inPage(canvas, look, told);
+    const told = { view, lost, camera, drawn };
+    this.backstage = worker ? inWorker(worker, canvas, look, told, unavailable) : inPage(canvas, look, told, unavailable);
     const { signal } = this.ending;
     const still = matchMedia("(prefers-reduced-motion: reduce)");
     const calm = (): void => this.backstage.act("keepStill", still.matches);
@@ -46,12 +42,12 @@ export class Stage {
     calm();
     const observer = new ResizeObserver(() => this.backstage.act("resize", canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1));
     observer.observe(canvas);
-    const stopListening = listen(canvas, {
-      turn: (azimuthRad, elevationRad) => this.held(() => this.backstage.act("turn", azimuthRad, elevationRad)),
-      zoom: (factor) => this.held(() => this.backstage.act("zoom", factor)),
-      pan: (right, up) => this.held(() => this.backstage.act("pan", right, up)),
-      view: (name) => this.held(() => this.flyTo(name)),
-    });
+    const holds = {
+      turn: (azimuthRad: number, elevationRad: number) => this.held(() => this.backstage.act("turn", azimuthRad, elevationRad)),
+      zoom: (factor: number) => this.held(() => this.backstage.act("zoom", factor)),
+      pan: (right: number, up: number) => this.held(() => this.backstage.act("pan", right, up)),
+    };
+    const stopListening = listen(canvas, holds, grip);
     signal.addEventListener("abort", () => {
       observer.disconnect();
       stopListening();
@@ -81,9 +77,9 @@ export class Stage {
     this.backstage.act("setLook", look);
   }
 
-  /** A view straight on, or the room as a whole. */
-  flyTo(vantage: Vantage): void {
-    this.backstage.act("flyTo", vantage);
+  /** A view straight on, or the room as a whole; `durationMs` 0 is at once. */
+  flyTo(vantage: Vantage, durationMs?: number): void {
+    this.backstage.act("flyTo", vantage, durationMs);
   }
 
   /** A step by a button: radians to the right, and a factor of the distance. */
@@ -97,13 +93,23 @@ export class Stage {
   }
 
   /** Whether the camera sways slowly by itself; never for people who asked for less motion. */
-  sway(on: boolean): void {
-    this.backstage.act("sway", on);
+  sway(on: boolean, round = false): void {
+    this.backstage.act("sway", on, round);
   }
 
-  /** What the stage shows as a PNG of that size, on the colour of its walls. */
-  picture(widthPx: number, heightPx: number): Promise<Blob> {
-    return this.backstage.picture(widthPx, heightPx);
+  /** Where somebody has left it before, at once. */
+  place(pose: Pose): void {
+    this.backstage.act("place", pose);
+  }
+
+  /** Whether nobody sees it. */
+  pause(paused: boolean): void {
+    this.backstage.act("pause", paused);
+  }
+
+  /** What the stage shows as a picture of that size, on the colour of its walls or on nothing. */
+  picture(...of: PictureOrder): Promise<Blob> {
+    return this.backstage.picture(...of);
   }
 
   dispose(): void {
