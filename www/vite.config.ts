@@ -1,21 +1,11 @@
 import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
+import { embedPage } from "./plugins/embed-page";
+import { includes } from "./plugins/includes";
+import { policies } from "./plugins/policies";
 
-/** Nothing leaves the device, and nothing from elsewhere runs. Only in the build: the development server injects styles. */
-const contentSecurityPolicy: Plugin = {
-  name: "content-security-policy",
-  apply: "build",
-  transformIndexHtml: () => [
-    {
-      tag: "meta",
-      attrs: {
-        "http-equiv": "Content-Security-Policy",
-        content: "default-src 'self'; img-src 'self' blob:; script-src 'self' 'wasm-unsafe-eval'; object-src 'none'; base-uri 'none'; form-action 'none'",
-      },
-      injectTo: "head-prepend",
-    },
-  ],
-};
+/** Each a page of its own. */
+const PAGES = ["index.html", "embed.html", "docs.html"];
 
 const ELEMENT = "packages/wire-sculpture";
 
@@ -44,7 +34,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [contentSecurityPolicy, wireSculpture],
+  plugins: [includes, embedPage(), policies, wireSculpture],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {
@@ -52,7 +42,12 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     assetsInlineLimit: 0,
-    rolldownOptions: { output: { assetFileNames, codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } } },
+    // Where a browser does not know it, scripts come as they are asked for.
+    modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: PAGES,
+      output: { assetFileNames, codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: "studio", test: isOfStudio }] } },
+    },
   },
   test: {
     projects: [

@@ -34,6 +34,8 @@ const ROOMS: readonly string[] = [
   "ui/save",
   "ui/app",
   "tasks",
+  "embed",
+  "docs",
 ];
 /** What a task's folder may know of elements: what the page wants of a task. */
 const PAGE_TASK = "ui/shared/page-task";

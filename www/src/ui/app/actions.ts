@@ -8,7 +8,7 @@ import { pause, redo, run, undo } from "../../state/actions/actions";
 /** What the page's own actions work with, besides the studio's parts. */
 export interface PageParts extends Parts {
   flyTo(view: ViewName): void;
-  copyLink(): void;
+  share(): void;
   help(): void;
 }
 
@@ -16,13 +16,13 @@ export type PageAction = Action<[], PageParts>;
 
 const look = (view: ViewName, key: string, help: string): PageAction => ({ id: `look-${view}`, label: help, keys: [key], help, act: (page) => page.flyTo(view) });
 
-export const copyLink: PageAction = {
-  id: "copy-link",
-  label: "Copy link",
+export const share: PageAction = {
+  id: "share",
+  label: "Share",
   keys: ["S"],
-  help: "Copy the link",
+  help: "Share the wire",
   can: ({ doc, phase }) => phase === "idle" && deskOf(doc).made !== null,
-  act: (page) => page.copyLink(),
+  act: (page) => page.share(),
 };
 
 export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };
@@ -37,6 +37,6 @@ export const ACTIONS: readonly PageAction[] = [
   look("room", "F", "See the whole room"),
   undo,
   redo,
-  copyLink,
+  share,
   help,
 ];

@@ -6,7 +6,7 @@ import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import type { PageTask } from "../shared/page-task";
 import { controls } from "../shared/shared";
-import { copyLink, help, type PageAction } from "./actions";
+import { help, share, type PageAction } from "./actions";
 import { taskTabs, taskTabsStyle } from "./task-tabs";
 import { chooseTheme, nextTheme, theme, type Theme } from "../shared/theme";
 import { topBarStyle } from "./top-bar-style";
@@ -33,7 +33,7 @@ export class TopBar extends Part {
       ${taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
       <div class="tools">
         ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
-        <button class="share" ?disabled=${!this.studio.can(copyLink)} @click=${() => this.act(copyLink)}>${icons.share} Share</button>
+        <button class="share" ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} Share</button>
         ${this.tool(icons[this.theme], colours, true, () => chooseTheme((this.theme = nextTheme(this.theme))))}
         ${this.acting(help, icons.help)}
       </div>

@@ -310,7 +310,7 @@ export class WireApp extends LitElement {
   /** What actions work with. */
   private get all(): PageParts {
     const { bench, project, runs, opener } = this.studio;
-    return { bench, project, runs, opener, flyTo: (view) => this.stage.flyTo(view), copyLink: () => void this.saving.copyLink(), help: () => void this.help() };
+    return { bench, project, runs, opener, flyTo: (view) => this.stage.flyTo(view), share: () => void this.saving.share(), help: () => void this.help() };
   }
 
   /** Help is loaded when it is first wanted. */

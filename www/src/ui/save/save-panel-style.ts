@@ -7,25 +7,6 @@ export const savePanelStyle = css`
     display: grid;
     gap: 8px;
   }
-  .file {
-    justify-content: flex-start;
-    gap: 12px;
-    width: 100%;
-    min-height: 48px;
-    padding: 4px 12px;
-    text-align: start;
-  }
-  .file > svg {
-    color: var(--quiet);
-  }
-  .file span {
-    min-width: 0;
-    line-height: 1.3;
-  }
-  .file b {
-    display: block;
-    font-weight: 600;
-  }
   .svg {
     display: grid;
     grid-template-columns: minmax(0, 1fr) auto;
@@ -34,8 +15,15 @@ export const savePanelStyle = css`
   select {
     text-transform: capitalize;
   }
-  .link {
+  .links {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    gap: 8px;
+  }
+  .links button {
     min-height: 44px;
+  }
+  .link {
     font-weight: 600;
   }
   input {

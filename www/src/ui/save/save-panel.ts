@@ -5,11 +5,13 @@ import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { viewWords } from "../../view/heading";
 import { Part } from "../../view/part";
 import { download } from "./download";
+import { fileButtonStyle } from "./file-button-style";
 import { fileStem } from "./file-name";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
 import type { PageTask } from "../shared/page-task";
 import { controls } from "../shared/shared";
+import { labelsOf } from "./labels";
 import { savePanelStyle } from "./save-panel-style";
 
 interface FileKind {
@@ -43,14 +45,17 @@ export class SavePanel extends Part {
   @state() private view = "front";
   @query("#link") private field!: HTMLInputElement | null;
 
-  static override styles = [controls, foldStyle, savePanelStyle];
+  static override styles = [controls, foldStyle, fileButtonStyle, savePanelStyle];
 
   override render() {
     const none = !deskOf(this.state.doc).made || this.state.phase !== "idle";
     const { views, shown } = this;
     return html`
       <h2>Save and share</h2>
-      <button class="link" ?disabled=${none} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
+      <div class="links">
+        <button class="link" ?disabled=${none} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
+        <button class="more" ?disabled=${none} @click=${() => void this.share()}>${icons.share} QR, embed…</button>
+      </div>
       ${this.byHand
         ? html`<label class="small quiet" for="link">Copy it from here:</label><input id="link" type="text" readonly .value=${this.byHand} />`
         : nothing}
@@ -108,6 +113,17 @@ export class SavePanel extends Part {
     }
   }
 
+  /** More ways, which come when they are first wanted. */
+  async share(): Promise<void> {
+    const link = this.studio.saver.link(location.href);
+    if (!link) return;
+    history.replaceState(null, "", new URL(link).hash);
+    const { ShareDialog } = await import("./share-dialog");
+    const dialog = document.querySelector<InstanceType<typeof ShareDialog>>("share-dialog") ?? document.body.appendChild(new ShareDialog());
+    Object.assign(dialog, { studio: this.studio, task: this.task });
+    await dialog.show();
+  }
+
   private file({ format, name, use }: FileKind, none: boolean) {
     return html`<button class="file" ?disabled=${none || this.busy !== ""} aria-busy=${this.busy === format} @click=${() => void this.save(format)}>
       ${format === "wire.json" ? icons.file : icons.download}<span><b>${name}</b><span class="small quiet">${use}</span></span>
@@ -137,11 +153,7 @@ export class SavePanel extends Part {
   }
 
   private keep(blob: Blob, ending: string): void {
-    const { doc } = this.state;
-    const { made } = deskOf(doc);
-    const given = made?.track?.given ?? (made?.source === "example" ? doc.given[doc.task] : this.task.blank);
-    const labels = this.task.labels(given);
-    const name = fileStem(labels) + ending;
+    const name = fileStem(labelsOf(this.state, this.task)) + ending;
     download(blob, name);
     this.studio.say(`Saved ${name}`);
   }

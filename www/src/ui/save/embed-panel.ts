@@ -1,0 +1,192 @@
+import { html, LitElement, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { LookName } from "#sculpture/looks";
+import type { Studio } from "../../state/studio";
+import { viewWords } from "../../view/heading";
+import { icons } from "../shared/icons";
+import { segmented, segmentedStyle } from "../shared/segmented";
+import { controls } from "../shared/shared";
+import { copied } from "./copied";
+import { download } from "./download";
+import { defineElement, siteFolder } from "./element-module";
+import { embedPanelStyle } from "./embed-panel-style";
+import { elementSnippet, iframeSnippet, isMetal, svgSnippet, type Showing, type Size } from "./snippets";
+
+const KINDS = { element: "Element", iframe: "Iframe", svg: "SVG", html: "One file" } as const;
+type Kind = keyof typeof KINDS;
+const ABOUT: Readonly<Record<Kind, string>> = {
+  element: "A script and a tag. It can be styled and driven by your page.",
+  iframe: "For blogs and course pages that take no script.",
+  svg: "A still picture, sharp at any size. Save it beside your page.",
+  html: "The whole page as one HTML file: upload it anywhere, or open it from a disk.",
+};
+
+const LOOKS: Readonly<Record<LookName, string>> = { copper: "Copper", steel: "Steel", parameter: "Along it", width: "By width" };
+const SIZES: Readonly<Record<string, Size & { readonly words: string }>> = {
+  fluid: { words: "Full width", width: null, height: 480 },
+  medium: { words: "640 × 480", width: 640, height: 480 },
+  square: { words: "360 × 360", width: 360, height: 360 },
+};
+/** A metal's own colour, where somebody begins to choose one. */
+const FIRST_COLOUR = "#b87333";
+
+/** The wire as a piece of somebody's own page: how it is to look, and what to paste. */
+@customElement("embed-panel")
+export class EmbedPanel extends LitElement {
+  @property({ attribute: false }) studio!: Studio;
+  @property() code = "";
+  @property() alt = "";
+  /** Of its files' names. */
+  @property() stem = "";
+  @property({ attribute: false }) views: readonly string[] = [];
+  /** Makes the one file. */
+  @property({ attribute: false }) page!: () => Promise<Blob>;
+  @state() private kind: Kind = "element";
+  @state() private size = "fluid";
+  @state() private view = "";
+  @state() private ready: boolean | null = null;
+  @state() private busy = false;
+  @state() private copiedKind: Kind | null = null;
+  @state() private showing: Omit<Showing, "size"> = { look: "copper", color: null, room: true, turning: false, buttons: true };
+  @query("pre code") private shown!: HTMLElement | null;
+
+  static override styles = [controls, segmentedStyle, embedPanelStyle];
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    defineElement().then(
+      () => (this.ready = true),
+      () => (this.ready = false),
+    );
+  }
+
+  override render() {
+    return html`
+      <div class="look">${this.preview()} ${this.choices()}</div>
+      <div class="take">
+        ${segmented({
+          legend: "As",
+          name: "kind",
+          options: Object.entries(KINDS).map(([value, words]) => ({ value, words })),
+          value: this.kind,
+          choose: (kind) => {
+            this.kind = kind as Kind;
+            this.copiedKind = null;
+          },
+        })}
+        <p class="small quiet">${ABOUT[this.kind]} <a href="./docs.html" target="_blank">All that it can do</a></p>
+        ${this.taking()}
+      </div>
+    `;
+  }
+
+  private preview() {
+    if (this.ready === false) return html`<p class="preview quiet">The preview could not be loaded. The snippets are right all the same.</p>`;
+    const { look, color, room, turning, buttons } = this.showing;
+    return html`<div class="preview">
+      ${this.ready
+        ? html`<wire-sculpture
+            class=${this.size}
+            code=${this.code}
+            alt=${this.alt}
+            look=${look}
+            color=${color !== null && isMetal(look) ? color : nothing}
+            ?shadow=${room}
+            ?auto-rotate=${turning}
+            views=${buttons ? "" : nothing}
+            camera-controls
+          ></wire-sculpture>`
+        : nothing}
+    </div>`;
+  }
+
+  private choices() {
+    const { look, color, room, turning, buttons } = this.showing;
+    return html`<div class="choices">
+      ${segmented({
+        legend: "Look",
+        name: "look",
+        options: Object.entries(LOOKS).map(([value, words]) => ({ value, words })),
+        value: look,
+        choose: (look) => this.change({ look: look as LookName }),
+      })}
+      ${isMetal(look)
+        ? html`<div class="colour">
+            <label><input type="checkbox" .checked=${color !== null} @change=${() => this.change({ color: color === null ? FIRST_COLOUR : null })} /> A colour of its own</label>
+            ${color === null ? nothing : html`<input type="color" aria-label="Colour of the wire" .value=${color} @input=${(event: Event) => this.change({ color: (event.target as HTMLInputElement).value })} />`}
+          </div>`
+        : nothing}
+      ${segmented({
+        legend: "Size",
+        name: "size",
+        options: Object.entries(SIZES).map(([value, { words }]) => ({ value, words })),
+        value: this.size,
+        choose: (size) => (this.size = size),
+      })}
+      <label><input type="checkbox" .checked=${room} @change=${() => this.change({ room: !room })} /> Room with the shadows</label>
+      <label><input type="checkbox" .checked=${turning} @change=${() => this.change({ turning: !turning })} /> Turns by itself</label>
+      <label><input type="checkbox" .checked=${buttons} @change=${() => this.change({ buttons: !buttons })} /> Buttons for its views</label>
+    </div>`;
+  }
+
+  private taking() {
+    if (this.kind === "html") return html`<button class="primary" ?disabled=${this.busy} @click=${() => void this.save(this.page, ".html")}>${icons.download} Save the HTML file</button>`;
+    const done = this.copiedKind === this.kind;
+    return html`
+      <pre tabindex="0" aria-label="Snippet"><code>${this.snippet}</code></pre>
+      <div class="pair">
+        <button class="primary" @click=${() => void this.copy()}>${done ? icons.check : icons.link} ${done ? "Copied" : "Copy snippet"}</button>
+        ${this.kind === "svg"
+          ? html`<button ?disabled=${this.busy} @click=${() => void this.save(() => this.studio.saver.export("svg", this.seen), this.ending)}>${icons.download} Save the SVG</button>
+              <label class="of">of <select aria-label="View of the picture" @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
+                ${this.views.map((name) => html`<option value=${name} .selected=${name === this.seen}>${viewWords(name)}</option>`)}
+              </select></label>`
+          : nothing}
+      </div>
+    `;
+  }
+
+  private get snippet(): string {
+    const size = SIZES[this.size]!;
+    const embedded = { site: siteFolder(), code: this.code, alt: this.alt, showing: { ...this.showing, size } };
+    if (this.kind === "element") return elementSnippet(embedded);
+    if (this.kind === "iframe") return iframeSnippet(embedded);
+    return svgSnippet(this.stem + this.ending, this.alt, size);
+  }
+
+  private get seen(): string {
+    return this.views.includes(this.view) ? this.view : (this.views[0] ?? "front");
+  }
+
+  private get ending(): string {
+    return `-${this.seen.replace(/[^\w-]+/g, "-")}.svg`;
+  }
+
+  private change(change: Partial<Showing>): void {
+    this.showing = { ...this.showing, ...change };
+    this.copiedKind = null;
+  }
+
+  private async copy(): Promise<void> {
+    const done = await copied(this.snippet, this.shown!);
+    this.copiedKind = done ? this.kind : null;
+    this.tell(done ? "Snippet copied" : "Copy the marked snippet with Ctrl or ⌘ and C");
+  }
+
+  private async save(make: () => Promise<Blob | null>, ending: string): Promise<void> {
+    this.busy = true;
+    try {
+      const blob = await make();
+      if (blob) download(blob, this.stem + ending);
+      this.tell(blob ? `Saved ${this.stem}${ending}` : "The file could not be made.");
+    } catch (error) {
+      console.error(error);
+      this.tell("The file could not be made. Check the connection and try again.");
+    }
+    this.busy = false;
+  }
+
+  private tell(detail: string): void {
+    this.dispatchEvent(new CustomEvent("done", { detail }));
+  }
+}
