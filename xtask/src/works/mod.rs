@@ -7,8 +7,8 @@ mod poster;
 mod sheet;
 mod vector;
 
-use crate::shell::{command, root, run as run_command, say, www};
 use crate::Result;
+use crate::shell::{command, root, run as run_command, say, www};
 use image::RgbImage;
 use image::codecs::jpeg::JpegEncoder;
 use serde_json::Value;
@@ -102,19 +102,20 @@ fn rounded(mut file: Value) -> Value {
 
 /// A poster of each work by day and by night in www/public/gallery, drawn only where its wire or this program is another.
 pub fn posters() -> Result {
-    let folder = www().join("public/gallery");
+    let (folder, stamps) = (www().join("public/gallery"), root().join("out/posters"));
     std::fs::create_dir_all(&folder)?;
+    std::fs::create_dir_all(&stamps)?;
     for work in works()? {
         let text = text(&file_of(&work.name))?;
         let mut hasher = DefaultHasher::new();
         (POSTER_EDITION, &text).hash(&mut hasher);
-        let (stamp, fresh) = (folder.join(format!("{}.stamp", work.name)), format!("{:x}", hasher.finish()));
-        if std::fs::read_to_string(&stamp).is_ok_and(|old| old == fresh) {
+        let (stamp, fresh) = (stamps.join(&work.name), format!("{:x}", hasher.finish()));
+        let paths = ["", "-dark"].map(|suffix| folder.join(format!("{}{suffix}.jpg", work.name)));
+        if paths.iter().all(|path| path.is_file()) && std::fs::read_to_string(&stamp).is_ok_and(|old| old == fresh) {
             continue;
         }
         let wire: Wire = serde_json::from_str(&text)?;
-        for (paint, suffix) in [(&poster::LIGHT, ""), (&poster::DARK, "-dark")] {
-            let path = folder.join(format!("{}{suffix}.jpg", work.name));
+        for (path, paint) in paths.iter().zip([&poster::LIGHT, &poster::DARK]) {
             std::fs::write(path, jpeg(&poster::draw(&wire, POSTER, paint))?)?;
         }
         std::fs::write(stamp, fresh)?;

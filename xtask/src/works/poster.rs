@@ -11,7 +11,7 @@ const OVERSAMPLING: usize = 2;
 /// Balls are no farther apart than this share of their radius, and no strand looks thinner than this radius, px drawn.
 const STEP: f64 = 0.12;
 const THINNEST_PX: f64 = 1.1;
-/// The room: distance of its walls from the middle, half of the square a shadow fills, and what the picture shows of it.
+/// The room: distance of its walls from the middle, half of the square that a shadow fills at least, and what the picture shows of it.
 const WALL_AWAY: f64 = 1.22;
 const SHADOW_EXTENT: f64 = 1.15;
 const SHADOW_HALF: f64 = 0.8;
@@ -62,7 +62,8 @@ const GLOSS: f64 = 0.8;
 pub fn draw(wire: &Wire, size: [usize; 2], paint: &Paint) -> RgbImage {
     let [width, height] = size.map(|side| side * OVERSAMPLING);
     let points = samples(wire);
-    let camera = Camera::new([width, height]);
+    let reach = points.iter().flat_map(|p| p[..3].iter().map(|x| x.abs() + p[3])).fold(SHADOW_HALF, f64::max);
+    let camera = Camera::new([width, height], reach);
     let shadows = WALLS.each_ref().map(|(axes, _)| shadow(&points, axes));
     let seen = camera.normals(&points);
     let colours = Colours::of(paint);
@@ -72,7 +73,11 @@ pub fn draw(wire: &Wire, size: [usize; 2], paint: &Paint) -> RgbImage {
         let colour = match place.depth {
             depth if depth.is_finite() => {
                 let ray = camera.ray(x, y);
-                colours.metal(plus(camera.eye, times(ray, depth / -dot(ray, camera.back))), place.normal, times(ray, -1.0))
+                colours.metal(
+                    plus(camera.eye, times(ray, depth / -dot(ray, camera.back))),
+                    place.normal,
+                    times(ray, -1.0),
+                )
             }
             _ => colours.walls(&camera, camera.ray(x, y), &shadows),
         };
@@ -121,8 +126,8 @@ struct Place {
 }
 
 impl Camera {
-    /// So far away that the three shadows fill the picture.
-    fn new([width, height]: [usize; 2]) -> Camera {
+    /// So far away that three shadows of which each reaches so far from its middle fill the picture.
+    fn new([width, height]: [usize; 2], reach: f64) -> Camera {
         let ((sin_a, cos_a), (sin_e, cos_e)) = (AZIMUTH_RAD.sin_cos(), ELEVATION_RAD.sin_cos());
         let (right, up, back) =
             ([cos_a, 0.0, -sin_a], [-sin_a * sin_e, cos_e, -cos_a * sin_e], [sin_a * cos_e, sin_e, cos_a * cos_e]);
@@ -130,14 +135,14 @@ impl Camera {
         let aspect = width as f64 / height as f64;
         let (mut target, mut distance) = ([0.0; 3], 2.0 / slope);
         for _ in 0..8 {
-            let mut reach = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
-            for corner in room_corners() {
+            let mut edges = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+            for corner in room_corners(reach) {
                 let from = minus(corner, target);
                 let depth = (distance - dot(from, back)).max(0.1 * distance) / distance;
                 let (x, y) = (dot(from, right) / depth, dot(from, up) / depth);
-                reach = [reach[0].min(x), reach[1].max(x), reach[2].min(y), reach[3].max(y)];
+                edges = [edges[0].min(x), edges[1].max(x), edges[2].min(y), edges[3].max(y)];
             }
-            let [left, rightmost, bottom, top] = reach;
+            let [left, rightmost, bottom, top] = edges;
             target = plus(target, plus(times(right, (left + rightmost) / 2.0), times(up, (bottom + top) / 2.0)));
             distance = ((rightmost - left) / aspect).max(top - bottom) / 2.0 / ROOM_SHARE / slope;
         }
@@ -187,8 +192,8 @@ impl Camera {
 }
 
 /// Corners of the three squares that shadows fill.
-fn room_corners() -> impl Iterator<Item = Vec3> {
-    let sides = [-SHADOW_HALF, SHADOW_HALF];
+fn room_corners(reach: f64) -> impl Iterator<Item = Vec3> {
+    let sides = [-reach, reach];
     (0..3).flat_map(move |wall| {
         (0..8).map(move |k| {
             let mut corner = [sides[k & 1], sides[k >> 1 & 1], sides[k >> 2]];
@@ -210,7 +215,8 @@ fn shadow(balls: &[[f64; 4]], [right, up, inward]: &[Vec3; 3]) -> Vec<f32> {
         let close = (1.0 - (dot(place, *inward) + WALL_AWAY) / (2.0 * WALL_AWAY)).clamp(0.02, 1.0) as f32;
         let reach = (radius * unit).max(0.6);
         let range = |middle: f64| {
-            (middle - reach).floor().clamp(0.0, n as f64) as usize..(middle + reach).ceil().clamp(0.0, n as f64) as usize
+            (middle - reach).floor().clamp(0.0, n as f64) as usize
+                ..(middle + reach).ceil().clamp(0.0, n as f64) as usize
         };
         for j in range(row) {
             for i in range(column) {
@@ -376,7 +382,8 @@ mod tests {
         let copper = |p: &image::Rgb<u8>| p.0[0] > p.0[2].saturating_add(50);
         let dark = |p: &image::Rgb<u8>| p.0[0] < 120 && p.0[0] < p.0[2].saturating_add(40);
         let row = |y: u32| (0..240).map(move |x| (x, y));
-        let count = |y: u32, is: &dyn Fn(&image::Rgb<u8>) -> bool| row(y).filter(|&(x, y)| is(picture.get_pixel(x, y))).count();
+        let count =
+            |y: u32, is: &dyn Fn(&image::Rgb<u8>) -> bool| row(y).filter(|&(x, y)| is(picture.get_pixel(x, y))).count();
         assert!(count(110, &copper) > 2, "the wire itself");
         let shadows: Vec<u32> = row(80).filter(|&(x, y)| dark(picture.get_pixel(x, y))).map(|(x, _)| x).collect();
         assert!(shadows.iter().any(|&x| x < 100) && shadows.iter().any(|&x| x > 140), "{shadows:?}");

@@ -7,8 +7,8 @@ use std::path::Path;
 use wire4d_core::view::ViewSpec;
 use wire4d_core::wire::Wire;
 
-const ROOM: [u32; 2] = [240, 200];
-const CELL: u32 = 100;
+const ROOM: [u32; 2] = [216, 180];
+const CELL: u32 = 90;
 const GAP: u32 = 4;
 const COLUMNS: usize = 3;
 /// In the order of a block's small pictures, three above three.
@@ -34,7 +34,7 @@ pub fn save(wires: &[Wire], path: &Path) -> Result {
             imageops::replace(&mut sheet, &small, (x + ROOM[0] + column * CELL).into(), (y + row * CELL).into());
         }
     }
-    // Thirty-two steps a colour are enough for a sheet and a third of the bytes.
-    sheet.pixels_mut().for_each(|pixel| pixel.0 = pixel.0.map(|c| (((u16::from(c) + 4) / 8 * 8).min(255)) as u8));
+    // Sixteen steps a colour are enough for a sheet and a quarter of the bytes.
+    sheet.pixels_mut().for_each(|pixel| pixel.0 = pixel.0.map(|c| ((u16::from(c) + 8) / 17 * 17) as u8));
     picture::save(&sheet.into(), path)
 }
