@@ -7,7 +7,7 @@ use crate::Result;
 use crate::metrics::{ArrangementReport, EventReport, Report, ResultReport, TimeReport};
 use crate::objective::{Displacement, Guidance};
 use crate::optimize::{Event, Place, Session, wait};
-use crate::sculpture::{MadeWith, Sculpture};
+use crate::sculpture::{Carried, MadeWith, Sculpture};
 use crate::settings::Settings;
 use crate::view::{Image, Target};
 use crate::wire::Wire;
@@ -194,6 +194,7 @@ impl Run {
                 settings: self.settings().to_map(),
                 ..MadeWith::default()
             },
+            carried: Carried::default(),
         }
     }
 

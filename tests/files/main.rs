@@ -16,4 +16,5 @@ mod notice;
 mod page_types;
 #[cfg(feature = "files")]
 mod picture_files;
+mod reopening;
 mod three_mf;

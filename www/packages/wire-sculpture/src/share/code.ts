@@ -24,9 +24,11 @@ export class ShareCodeError extends Error {
   override readonly name = "ShareCodeError";
 }
 
-const VERSION = 1;
-/** No wire needs more; longer texts are refused unread. */
-const MAX_CODE_CHARACTERS = 1 << 20;
+const VERSION = 2;
+/** Longer texts are refused unread: much may stand round a link. */
+const MAX_TEXT_CHARACTERS = 1 << 20;
+/** 64 kB; a wire of 20,000 control points needs less. */
+const MAX_CODE_CHARACTERS = Math.floor((65_536 * 4) / 3) + 2;
 
 /**
  * The wire of a share code.
@@ -41,13 +43,13 @@ export function openShareCode(code: string): Opened {
   if (version > VERSION) {
     throw new ShareCodeError(`This link was made by a newer Wire4D (version ${version}, this page reads ${VERSION}); reload the page to get it.`);
   }
-  if (version !== VERSION) throw damaged();
-  return unpack(body.subarray(1));
+  if (version === 0) throw damaged();
+  return unpack(body.subarray(1), version);
 }
 
 /** The code in a pasted text, with what stands round it; null where nothing is like one. A whole one, if there is one. */
 export function codeIn(text: string): (Found & { readonly whole: boolean }) | null {
-  if (text.length > MAX_CODE_CHARACTERS) return null;
+  if (text.length > MAX_TEXT_CHARACTERS) return null;
   const found = codesIn(text);
   const whole = found.find(({ code }) => bodyOf(code));
   const best = whole ?? found[0];
@@ -56,15 +58,15 @@ export function codeIn(text: string): (Found & { readonly whole: boolean }) | nu
 
 /** What is in a code, if its checksum is right. */
 function bodyOf(code: string): Uint8Array | null {
-  const bytes = fromBase64(code);
+  const bytes = code.length > MAX_CODE_CHARACTERS ? null : fromBase64(code);
   if (!bytes || bytes.length < 5) return null;
   const body = bytes.subarray(0, -4);
   return crc32(body) === new DataView(bytes.buffer).getUint32(body.length, true) ? body : null;
 }
 
-function unpack(packed: Uint8Array): Opened {
+function unpack(packed: Uint8Array, version: number): Opened {
   try {
-    const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed));
+    const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed), version);
     const controlPoints = new Float64Array(points.length);
     for (let at = 0; at < points.length; at++) controlPoints[at] = points[at]! * steps[at % 4 === 3 ? 1 : 0];
     const knots = knotsFrom(code, closed);
