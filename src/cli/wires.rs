@@ -157,7 +157,7 @@ fn read_wire(path: &Path) -> Result<Sculpture> {
     let remedy = "give a wire.json, or a PNG, SVG or GLB that Wire4D saved";
     match read_at_most(path, export::MAX_CARRIER_BYTES) {
         Ok(Some(bytes)) => {
-            let Opened { sculpture, notes } = export::open_file(&name, &bytes)?;
+            let Opened { sculpture, notes, .. } = export::open_file(&name, &bytes)?;
             notes.iter().for_each(|note| eprintln!("{name}: {note}"));
             Ok(sculpture)
         }

@@ -2,9 +2,8 @@
 //! JSON text, the same in every kind of file: plain ASCII without a character of markup, whatever people call their drawings.
 
 use super::share_code;
-use crate::sculpture::{Carried, FORMAT, FORMAT_VERSION, MAX_CARRIED_BYTES, MadeWith, Sculpture, png};
+use crate::sculpture::{FORMAT, FORMAT_VERSION, MAX_CARRIED_BYTES, Sculpture, png};
 use crate::{Error, Result};
-use serde::Serialize;
 use serde_json::{Value, json};
 
 /// What it is called in each kind of file.
@@ -13,26 +12,15 @@ pub(super) const KEYWORD: &str = "wire4d";
 pub(super) const SVG_ENDS: [&str; 2] = ["<metadata id=\"wire4d\">", "</metadata>"];
 /// What follows the keyword in a PNG's text: not compressed, of no language, with no other keyword.
 pub(super) const PNG_PLAIN: &[u8] = b"\0\0\0\0\0";
-/// For its first and last fields.
+/// What else is written round it.
 const FRAME_BYTES: usize = 200;
 
-#[derive(Serialize)]
-struct Capsule<'a> {
-    format: &'static str,
-    version: u64,
-    code: String,
-    made_with: &'a MadeWith,
-    #[serde(flatten)]
-    carried: Carried,
-}
-
 fn capsule(sculpture: &Sculpture) -> String {
-    let (code, made_with) = (share_code(sculpture), &sculpture.made_with);
-    let settings = serde_json::to_string(made_with).map_or(0, |text| text.len());
-    let room = MAX_CARRIED_BYTES.saturating_sub(FRAME_BYTES + code.len() + settings);
-    let carried = sculpture.carried.within(room);
-    let capsule = Capsule { format: FORMAT, version: FORMAT_VERSION, code, made_with, carried };
-    plain(&serde_json::to_string(&capsule).expect("plain numbers and strings always serialise"))
+    let made_with = serde_json::to_string(&sculpture.made_with).expect("plain numbers and strings always serialise");
+    let code = share_code(sculpture);
+    let wire = format!(r#"{{"format":"{FORMAT}","version":{FORMAT_VERSION},"code":"{code}","made_with":{made_with}}}"#);
+    let carried = sculpture.carried.within(MAX_CARRIED_BYTES.saturating_sub(FRAME_BYTES + wire.len()));
+    plain(&carried.joined_to(&wire))
 }
 
 /// The same JSON with all that is not ASCII, or means something in markup, written as numbers: it only stands in strings.

@@ -2,9 +2,8 @@
 
 use super::capsule::{KEYWORD, PNG_PLAIN, SVG_ENDS};
 use super::open_share_code;
-use crate::sculpture::{Carried, CarriedIn, MAX_FILE_BYTES, MadeWith, Sculpture, check_heading, png};
+use crate::sculpture::{Carried, MAX_FILE_BYTES, MadeWith, Sculpture, check_heading, png};
 use crate::{Error, Result};
-use serde::Deserialize;
 use serde_json::Value;
 
 /// Largest file that is opened: a picture of any size that a page makes.
@@ -15,6 +14,8 @@ pub const MAX_CARRIER_BYTES: usize = 64 << 20;
 pub struct Opened {
     /// The wire, exactly as it was from a wire.json, to within a share code's precision from anything else.
     pub sculpture: Sculpture,
+    /// The share code that the file has in place of the wire itself; none in a wire.json.
+    pub code: Option<String>,
     /// What could not be read of what it was made of, a sentence each.
     pub notes: Vec<String>,
 }
@@ -53,7 +54,7 @@ pub fn open_file(name: &str, bytes: &[u8]) -> Result<Opened> {
         [b'{' | b'[', ..] => {
             let mut notes = Vec::new();
             let sculpture = Sculpture::read_json(name, text, &mut notes)?;
-            return Ok(Opened { sculpture, notes });
+            return Ok(Opened { sculpture, code: None, notes });
         }
         [b'<', ..] => in_svg(text),
         [b'g', b'l', b'T', b'F', ..] => in_glb(text),
@@ -78,14 +79,18 @@ fn damaged(name: &str) -> Error {
     Error::wire(name, "is damaged or cut off", "save or download it again")
 }
 
-type Found = Result<Option<String>, Damaged>;
+type Found = Result<Option<Value>, Damaged>;
+
+fn parsed(capsule: &[u8]) -> Found {
+    serde_json::from_slice(capsule).map(Some).map_err(|_| Damaged)
+}
 
 fn in_png(bytes: &[u8]) -> Found {
     for chunk in png::chunks(bytes) {
         let (kind, data) = chunk.ok_or(Damaged)?;
         let Some(text) = data.strip_prefix(KEYWORD.as_bytes()).filter(|_| kind == b"iTXt") else { continue };
         if let Some(text) = text.strip_prefix(PNG_PLAIN) {
-            return String::from_utf8(text.to_vec()).map(Some).map_err(|_| Damaged);
+            return parsed(text);
         }
     }
     Ok(None)
@@ -98,7 +103,7 @@ fn in_svg(bytes: &[u8]) -> Found {
     let (capsule, _) = rest.split_once(end).ok_or(Damaged)?;
     // As it is written nothing is escaped; who saves it again may escape quotes.
     let marks = [("&quot;", "\""), ("&apos;", "'"), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")];
-    Ok(Some(marks.iter().fold(capsule.to_owned(), |text, (mark, c)| text.replace(mark, c))))
+    parsed(marks.iter().fold(capsule.to_owned(), |text, (mark, c)| text.replace(mark, c)).as_bytes())
 }
 
 fn in_glb(bytes: &[u8]) -> Found {
@@ -108,37 +113,25 @@ fn in_glb(bytes: &[u8]) -> Found {
         return Err(Damaged);
     }
     let text = bytes.get(20..20 + length).ok_or(Damaged)?;
-    let scene: Value = serde_json::from_slice(text).map_err(|_| Damaged)?;
+    let scene = parsed(text)?.unwrap_or_default();
     let places = [&scene["extras"][KEYWORD], &scene["asset"]["extras"][KEYWORD]];
     // Before there were capsules there were other words about the making.
-    Ok(places.into_iter().find(|fields| fields.get("code").is_some()).map(Value::to_string))
+    Ok(places.into_iter().find(|fields| fields.get("code").is_some()).cloned())
 }
 
-#[derive(Deserialize)]
-struct CapsuleIn {
-    code: String,
-    #[serde(default)]
-    made_with: MadeWith,
-    #[serde(flatten)]
-    carried: CarriedIn,
-}
-
-fn opened(name: &str, capsule: &str) -> Result<Opened> {
-    let capsule = capsule.as_bytes();
-    // What is no JSON at all was written as such.
-    if serde_json::from_slice::<serde::de::IgnoredAny>(capsule).is_err() {
-        return Err(damaged(name));
-    }
-    check_heading(name, capsule)?;
-    let CapsuleIn { code, made_with, carried } = serde_json::from_slice(capsule).map_err(|_| damaged(name))?;
-    let wire = open_share_code(&code).map_err(|error| match error {
+fn opened(name: &str, capsule: &Value) -> Result<Opened> {
+    check_heading(name, &capsule["format"], &capsule["version"])?;
+    let code = capsule["code"].as_str().ok_or_else(|| damaged(name))?;
+    let wire = open_share_code(code).map_err(|error| match error {
         Error::ShareCode { problem, remedy } if remedy.starts_with("update") => Error::wire(name, problem, remedy),
         _ => damaged(name),
     })?;
-    // The code has a checksum: what it says counts.
-    let MadeWith { task, seed, .. } = wire.made_with;
+    // Task and seed are the code's, which has a checksum.
+    let made_with = &capsule["made_with"];
+    let settings = made_with["settings"].as_object().cloned().unwrap_or_default();
+    let wire4d = made_with["wire4d"].as_str().unwrap_or_default().to_owned();
+    let made_with = MadeWith { settings, wire4d, ..wire.made_with };
     let mut notes = Vec::new();
-    let carried = Carried::read(carried, &mut notes);
-    let made_with = MadeWith { task, seed, ..made_with };
-    Ok(Opened { sculpture: Sculpture { made_with, carried, ..wire }, notes })
+    let carried = Carried::read([&capsule["drawings"], &capsule["given"], &capsule["replay"]], &mut notes);
+    Ok(Opened { sculpture: Sculpture { made_with, carried, ..wire }, code: Some(code.to_owned()), notes })
 }

@@ -4,7 +4,7 @@
 use super::png::{Chunk, chunks};
 use base64::Engine;
 use base64::engine::general_purpose::{STANDARD, URL_SAFE_NO_PAD};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -48,7 +48,7 @@ pub struct Silhouette {
 impl Carried {
     /// As much of it as a file has room for, in bytes of its text: first the replay stays behind, then the drawings.
     pub(crate) fn within(&self, most: usize) -> Carried {
-        let fits = |carried: &Carried| serde_json::to_vec(carried).is_ok_and(|text| text.len() <= most);
+        let fits = |carried: &Carried| serde_json::to_string(carried).is_ok_and(|text| text.len() <= most);
         let mut carried = self.clone();
         carried.drawings.truncate(MAX_DRAWINGS);
         if !fits(&carried) {
@@ -60,29 +60,34 @@ impl Carried {
         if fits(&carried) { carried } else { Carried::default() }
     }
 
-    /// Reads its fields from those of a file. What is damaged or too large is left out, with a sentence about it.
-    pub(crate) fn read(fields: CarriedIn, notes: &mut Vec<String>) -> Carried {
+    /// The same JSON object with its fields at the end.
+    pub(crate) fn joined_to(&self, object: &str) -> String {
+        let own = serde_json::to_string(self).expect("plain strings always serialise");
+        match (object.strip_suffix('}'), own.strip_prefix('{')) {
+            (Some(others), Some(own)) if own != "}" => format!("{others},{own}"),
+            _ => object.to_owned(),
+        }
+    }
+
+    /// Reads its fields as a file has them, `Null` where it has none. What is damaged or too large is left out, with a sentence
+    /// about it.
+    pub(crate) fn read([drawings, given, replay]: [&Value; 3], notes: &mut Vec<String>) -> Carried {
         let mut lost = |what: &str| notes.push(format!("{what} in the file cannot be read and was left out"));
         let mut carried = Carried::default();
-        if let Some(drawings) = fields.drawings {
+        if !drawings.is_null() {
             let found = drawings.as_array().map_or(&[][..], |drawings| drawings);
             carried.drawings = found.iter().take(MAX_DRAWINGS).filter_map(silhouette).collect();
             if carried.drawings.len() < found.len().max(1) {
                 lost("A drawing");
             }
         }
-        if let Some(given) = fields.given {
-            match serde_json::from_value::<BTreeMap<String, String>>(given) {
-                Ok(given)
-                    if given.len() <= MAX_PAIRS
-                        && given.iter().all(|(name, value)| is_short(name) && is_short(value)) =>
-                {
-                    carried.given = given;
-                }
-                _ => lost("What it was made of"),
+        if !given.is_null() {
+            match pairs(given) {
+                Some(given) => carried.given = given,
+                None => lost("What it was made of"),
             }
         }
-        if let Some(replay) = fields.replay {
+        if !replay.is_null() {
             match replay.as_str().and_then(|text| decoded(text, MAX_REPLAY_BYTES, &URL_SAFE_NO_PAD)) {
                 Some(replay) => carried.replay = replay,
                 None => lost("How it was found"),
@@ -92,15 +97,15 @@ impl Carried {
     }
 }
 
-/// [`Carried`] as a file has it, which may come from anywhere.
-#[derive(Deserialize, Default)]
-pub(crate) struct CarriedIn {
-    #[serde(default)]
-    drawings: Option<Value>,
-    #[serde(default)]
-    given: Option<Value>,
-    #[serde(default)]
-    replay: Option<Value>,
+fn pairs(given: &Value) -> Option<BTreeMap<String, String>> {
+    let given = given.as_object().filter(|given| given.len() <= MAX_PAIRS)?;
+    let mut pairs = BTreeMap::new();
+    for (name, value) in given {
+        let value = value.as_str().filter(|value| is_short(value) && is_short(name))?;
+        // One by one: collecting them sorts, which takes 3 kB of a page's module.
+        pairs.insert(name.clone(), value.to_owned());
+    }
+    Some(pairs)
 }
 
 fn silhouette(fields: &Value) -> Option<Silhouette> {

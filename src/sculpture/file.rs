@@ -1,11 +1,12 @@
 //! `wire.json`: the sculpture as text that other programs can read. Numbers survive to the last bit.
 
-use super::carried::{CarriedIn, MAX_CARRIED_BYTES};
+use super::carried::MAX_CARRIED_BYTES;
 use super::{Carried, MadeWith, Sculpture};
 use crate::view::View;
 use crate::wire::{Form, Wire};
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// The name in `format`.
 pub(crate) const FORMAT: &str = "wire4d";
@@ -26,8 +27,6 @@ struct FileOut<'a> {
     control_points: &'a [[f64; 4]],
     views: &'a [View],
     made_with: &'a MadeWith,
-    #[serde(flatten)]
-    carried: &'a Carried,
 }
 
 fn is_spline(form: &Form) -> bool {
@@ -36,8 +35,10 @@ fn is_spline(form: &Form) -> bool {
 
 #[derive(Deserialize)]
 struct Heading {
-    format: Option<serde_json::Value>,
-    version: Option<serde_json::Value>,
+    #[serde(default)]
+    format: Value,
+    #[serde(default)]
+    version: Value,
 }
 
 #[derive(Deserialize)]
@@ -51,8 +52,12 @@ struct FileIn {
     views: Vec<View>,
     #[serde(default)]
     made_with: MadeWith,
-    #[serde(flatten)]
-    carried: CarriedIn,
+    #[serde(default)]
+    drawings: Value,
+    #[serde(default)]
+    given: Value,
+    #[serde(default)]
+    replay: Value,
 }
 
 impl Sculpture {
@@ -67,9 +72,9 @@ impl Sculpture {
             control_points: self.wire.control_points(),
             views: &self.views,
             made_with: &self.made_with,
-            carried: &self.carried.within(MAX_CARRIED_BYTES),
         };
-        let mut text = serde_json::to_string(&file).expect("plain numbers and strings always serialise");
+        let text = serde_json::to_string(&file).expect("plain numbers and strings always serialise");
+        let mut text = self.carried.within(MAX_CARRIED_BYTES).joined_to(&text);
         text.push('\n');
         text
     }
@@ -90,7 +95,9 @@ impl Sculpture {
             let problem = format!("{} MB are more than any wire takes", bytes.len() >> 20);
             return Err(bad(problem, WRITTEN));
         }
-        check_heading(name, bytes)?;
+        let Heading { format, version } = serde_json::from_slice(bytes)
+            .map_err(|error| bad(format!("is not readable as JSON ({error})"), WRITTEN))?;
+        check_heading(name, &format, &version)?;
         let file: FileIn = serde_json::from_slice(bytes)
             .map_err(|error| bad(format!("does not describe a wire ({error})"), WRITTEN))?;
         let wire = Wire::new(file.form, file.closed, file.knots, file.control_points).map_err(|error| match error {
@@ -100,24 +107,20 @@ impl Sculpture {
         if file.views.len() > MAX_VIEWS {
             return Err(bad(format!("has {} views", file.views.len()), "use 64 at most"));
         }
-        let carried = Carried::read(file.carried, notes);
+        let carried = Carried::read([&file.drawings, &file.given, &file.replay], notes);
         Ok(Sculpture { wire, views: file.views, made_with: file.made_with, carried })
     }
 }
 
 const WRITTEN: &str = "use a wire.json that Wire4D wrote";
 
-/// Whether JSON that a file has says that it is of Wire4D, in a version that is read here.
-pub(crate) fn check_heading(name: &str, json: &[u8]) -> Result<()> {
+/// Whether a file's `format` and `version` say that it is of Wire4D, and of a version that is read here.
+pub(crate) fn check_heading(name: &str, format: &Value, version: &Value) -> Result<()> {
     let bad = |problem: String, remedy: &str| Err(Error::wire(name, problem, remedy));
-    let heading: Heading = match serde_json::from_slice(json) {
-        Ok(heading) => heading,
-        Err(error) => return bad(format!("is not readable as JSON ({error})"), WRITTEN),
-    };
-    if heading.format.as_ref().and_then(|format| format.as_str()) != Some(FORMAT) {
+    if format.as_str() != Some(FORMAT) {
         return bad(format!("does not say \"format\": \"{FORMAT}\""), WRITTEN);
     }
-    match heading.version.as_ref().and_then(|version| version.as_u64()) {
+    match version.as_u64() {
         Some(1..=FORMAT_VERSION) => Ok(()),
         Some(version) if version > FORMAT_VERSION => {
             bad(format!("has version {version}, newer than this program reads ({FORMAT_VERSION})"), "update Wire4D")

@@ -6,8 +6,8 @@ mod file;
 pub(crate) mod png;
 mod render;
 
+pub(crate) use carried::MAX_CARRIED_BYTES;
 pub use carried::{Carried, MAX_DRAWING_PX, MAX_DRAWINGS, Silhouette};
-pub(crate) use carried::{CarriedIn, MAX_CARRIED_BYTES};
 pub(crate) use file::{FORMAT, check_heading};
 pub use file::{FORMAT_VERSION, MAX_FILE_BYTES};
 pub use render::{SAMPLES_PER_SPAN, render, render_sampled, render_seen};

@@ -40,13 +40,15 @@ pub struct Made {
     targets: Vec<ViewTarget>,
     shown: Vec<Ink>,
     result: ResultReport,
+    /// The share code that it came with.
+    code: Option<String>,
     /// What could not be read of the file it is from.
     notes: Vec<String>,
 }
 
 impl Made {
     pub(crate) fn new(sculpture: Sculpture, targets: Vec<ViewTarget>, result: ResultReport) -> Made {
-        Made { sculpture, targets, shown: Vec::new(), result, notes: Vec::new() }
+        Made { sculpture, targets, shown: Vec::new(), result, code: None, notes: Vec::new() }
     }
 
     /// With what each view shows of it as the fit sees it.
@@ -70,8 +72,8 @@ impl Made {
 
     /// Opens a file that carries a wire; `name` is what the person calls it.
     pub fn from_file(name: &str, file: &[u8]) -> Result<Made, JsError> {
-        let Opened { sculpture, notes } = export::open_file(name, file)?;
-        Ok(Made { notes, ..Made::alone(sculpture) })
+        let Opened { sculpture, code, notes } = export::open_file(name, file)?;
+        Ok(Made { code, notes, ..Made::alone(sculpture) })
     }
 
     /// What could not be read of what it was made of: a sentence each.
@@ -79,9 +81,9 @@ impl Made {
         self.notes.clone()
     }
 
-    /// What a link carries.
+    /// What a link carries: as it came, if it came with one.
     pub fn share_code(&self) -> String {
-        export::share_code(&self.sculpture)
+        self.code.clone().unwrap_or_else(|| export::share_code(&self.sculpture))
     }
 
     /// The wire.

@@ -72,11 +72,12 @@ fn problem(name: &str, bytes: &[u8]) -> String {
 }
 
 fn assert_same(name: &str, before: &Sculpture, opened: &Opened) {
-    let Opened { sculpture: after, notes } = opened;
+    let Opened { sculpture: after, code, notes } = opened;
     assert!(notes.is_empty(), "{name}: {notes:?}");
     assert_eq!((&after.views, &after.made_with), (&before.views, &before.made_with), "{name}");
     assert_eq!(after.carried, before.carried, "{name}");
     assert_eq!(share_code(after), share_code(before), "{name}: the same wire");
+    assert!(code.as_ref().is_none_or(|code| code == &share_code(before)), "{name}");
 }
 
 #[test]
@@ -199,7 +200,7 @@ fn damaged_drawings_are_left_out_and_the_wire_opens() {
     let bad =
         [grey(257, 8, &[1]), grey(8, 0, &[1]), flipped, whole[..whole.len() - 1].to_vec(), colour, b"GIF89a".to_vec()];
     for png in bad.map(|bytes| text(&bytes)).into_iter().chain(["?".into(), 3.into(), "A".repeat(200_000).into()]) {
-        let Opened { sculpture, notes } = value(&|value| value["drawings"][0]["png"] = png.clone());
+        let Opened { sculpture, notes, .. } = value(&|value| value["drawings"][0]["png"] = png.clone());
         assert_eq!((sculpture.carried.drawings.len(), notes.len()), (1, 1), "{notes:?}");
         assert_eq!(sculpture.wire, good.wire);
     }
@@ -215,7 +216,7 @@ fn damaged_drawings_are_left_out_and_the_wire_opens() {
         ("replay", "!".into()),
         ("replay", "A".repeat(60_000).into()),
     ] {
-        let Opened { sculpture, notes } = value(&|value| value[field] = junk.clone());
+        let Opened { sculpture, notes, .. } = value(&|value| value[field] = junk.clone());
         assert_eq!((sculpture.wire == good.wire, notes.len()), (true, 1), "{field}: {notes:?}");
     }
     let many = value(&|value| value["drawings"] = vec![value["drawings"][0].clone(); 65].into());

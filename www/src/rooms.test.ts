@@ -18,6 +18,7 @@ const ROOMS: readonly string[] = [
   "state/picture",
   "state/keeping",
   "state/contract",
+  "state/carrying",
   "state/settings",
   "state/address",
   "state/run",

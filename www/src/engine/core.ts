@@ -80,9 +80,13 @@ const core = {
   card: (): GPUDevice | null => wasm.graphics_device() ?? null,
 
   open: (given: { code: string } | { file: Bytes; name: string }): Finished =>
-    taken("code" in given ? wasm.Made.from_share_code(given.code) : wasm.Made.from_file(given.name, given.file), finished),
+    "code" in given
+      ? taken(wasm.Made.from_share_code(given.code), finished)
+      : taken(wasm.Made.from_file(given.name, given.file), (made) => ({ ...finished(made), notes: made.notes() })),
 
   export: ({ file, format, view }: ExportArguments): Bytes => own(wasm.export_file(file, format, view)),
+
+  carry: (picture: Bytes, file: Bytes): Bytes => own(wasm.picture_with_wire(picture, file)),
 };
 
 let loading: Promise<typeof core> | null = null;

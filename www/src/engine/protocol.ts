@@ -105,6 +105,8 @@ export interface Finished {
   readonly file: Uint8Array<ArrayBuffer>;
   /** The share code. */
   readonly code: string;
+  /** What could not be read of the file that it comes from, sentences. */
+  readonly notes?: readonly string[];
 }
 
 /** Where a wire fails, world units: a place for every stretch that does. */
@@ -196,10 +198,12 @@ export interface Calls {
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */
   peek: { arguments: { code: string }; answer: { wire: WireShape; views: readonly View[] } };
-  /** A share code, or the bytes of a wire.json with its name. */
+  /** A share code, or the bytes of a file that carries a wire, with its name. */
   open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
   /** A wire.json in another format; `view` is the name of the view an SVG draws. */
   export: { arguments: ExportArguments; answer: Uint8Array<ArrayBuffer> };
+  /** A PNG picture that carries the wire of a wire.json, with all that this has. */
+  carry: { arguments: { picture: Uint8Array<ArrayBuffer>; file: Uint8Array<ArrayBuffer> }; answer: Uint8Array<ArrayBuffer> };
   /** What a network from elsewhere is, before anything of it is used. */
   lookAtGuidance: { arguments: { from: Source }; answer: Facts };
   /**

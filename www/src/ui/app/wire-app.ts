@@ -106,7 +106,7 @@ export class WireApp extends LitElement {
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
-            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${() => this.stage.picture(2400, 1800)}></save-panel>
+            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
             <settings-panel
