@@ -222,7 +222,7 @@ const SOFTWARE: [&str; 4] = ["swiftshader", "llvmpipe", "lavapipe", "basic rende
 
 fn info(name: String, device_type: wgpu::DeviceType, interface: &'static str) -> DeviceInfo {
     let name = if name.trim().is_empty() { NAME.into() } else { name };
-    let lower = name.to_lowercase();
+    let lower = name.to_ascii_lowercase();
     let software = SOFTWARE.iter().any(|software| lower.contains(software));
     DeviceInfo { name, kind: if software { "software" } else { kind_name(device_type) }, interface }
 }

@@ -206,7 +206,7 @@ impl Stage {
     /// The whole shader.
     pub fn source(&self) -> String {
         let terms =
-            Term::ALL.map(|term| format!("const TERM_{}: u32 = {}u;\n", term.name().to_uppercase(), term.at(0)));
+            Term::ALL.map(|term| format!("const TERM_{}: u32 = {}u;\n", term.name().to_ascii_uppercase(), term.at(0)));
         let constants = crate::raster::constants().map(|(name, value)| format!("const {name}: f32 = {value:e};\n"));
         let count = format!("const TERMS: u32 = {}u;\n", term_count(0));
         constants.concat() + &terms.concat() + &count + &self.texts.join("\n")

@@ -3,12 +3,10 @@
 use crate::json;
 use crate::pictures::{Ink, ViewTarget};
 use wasm_bindgen::prelude::*;
-use wire4d::export::{self, ExportOptions, Format, Opened};
-use wire4d::mesh::Mesh;
+use wire4d::export::{self, Opened};
 use wire4d::metrics::{ResultReport, elegance};
 use wire4d::sculpture::Sculpture;
 use wire4d::wire::Wire;
-use wire4d::{Error, Result};
 
 /// A wire as numbers.
 #[wasm_bindgen]
@@ -132,37 +130,4 @@ impl Made {
     pub fn file(&self) -> Vec<u8> {
         self.sculpture.to_json().into_bytes()
     }
-}
-
-/// A wire.json made simpler, for a link of at most so many characters: as JSON, see [`export::Simplified`]. Nothing where it
-/// cannot be.
-#[wasm_bindgen]
-pub fn simplify(file: &[u8], characters: usize) -> Result<Option<String>, JsError> {
-    let sculpture = Sculpture::from_json("wire.json", file)?;
-    Ok(export::simplified_code(&sculpture, characters).map(|simplified| json(&simplified)))
-}
-
-/// A wire.json as a file of another format, by its ending; `view` is the name of the view that an SVG shows.
-#[wasm_bindgen]
-pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {
-    Ok(exported(file, format, view, None)?)
-}
-
-/// A PNG picture of the wire of a wire.json, with all that this has: it opens again.
-#[wasm_bindgen]
-pub fn picture_with_wire(picture: &[u8], file: &[u8]) -> Result<Vec<u8>, JsError> {
-    Ok(export::in_png(picture, &Sculpture::from_json("wire.json", file)?)?)
-}
-
-/// [`export_file`] of a wire that covers a solid, which hides what of an SVG's lines is behind it.
-pub(crate) fn exported(file: &[u8], format: &str, view: &str, solid: Option<&Mesh>) -> Result<Vec<u8>> {
-    let sculpture = Sculpture::from_json("wire.json", file)?;
-    let format = Format::from_path(&format!("wire.{format}"))?;
-    let drawn = sculpture.views.iter().find(|known| known.name == view);
-    if format.draws_a_view() && drawn.is_none() && !sculpture.views.is_empty() {
-        let names: Vec<&str> = sculpture.views.iter().map(|view| view.name.as_str()).collect();
-        let problem = format!("the wire has no view {view:?}");
-        return Err(Error::setting("view", problem, format!("give one of {}", names.join(", "))));
-    }
-    export::export(&sculpture, format, drawn, solid, &ExportOptions::default())
 }

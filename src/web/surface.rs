@@ -1,6 +1,6 @@
 //! A shape on its way in, and how a wire would run over it.
 
-use crate::made::{WireData, exported};
+use crate::made::WireData;
 use crate::pictures::Ink;
 use crate::{json, parse_settings};
 use wasm_bindgen::prelude::*;
@@ -111,12 +111,6 @@ impl Surface {
         let stride = filling.path.points.len().div_ceil(MOST_POINTS).max(2);
         let points = filling.path.points.iter().step_by(stride).map(|&[x, y, z, _]| [x, y, z, width]).collect();
         Ok(WireData(Wire::closed_uniform(points)?))
-    }
-
-    /// A wire.json of a wire that covers it as a file of another format, like `export_file`; an SVG leaves out what is
-    /// behind the surface.
-    pub fn export_file(&self, file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {
-        Ok(exported(file, format, view, Some(&self.given.mesh))?)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The core and the reader of mesh files as WebAssembly, a module each: compile with SIMD, bind, optimise. Steps whose
+//! The core, the reader of mesh files and the writer of files as WebAssembly, a module each: compile with SIMD, bind, optimise. Steps whose
 //! input has not changed are skipped.
 
 use crate::Result;
@@ -25,9 +25,10 @@ const WASM_FEATURES: &[&str] = &[
     "--enable-reference-types",
 ];
 
-/// What the page fetches at once, and what it fetches when somebody brings a mesh: the crates and the names they have
-/// there.
-const MODULES: [[&str; 2]; 2] = [["wire4d-web", "wire4d"], ["wire4d-web-meshes", "wire4d_model"]];
+/// What the page fetches at once, what it fetches when somebody brings a mesh, and when somebody saves or shares a wire: the
+/// crates and the names they have there.
+const MODULES: [[&str; 2]; 3] =
+    [["wire4d-web", "wire4d"], ["wire4d-web-meshes", "wire4d_model"], ["wire4d-web-files", "wire4d_files"]];
 
 /// Builds `{.js,.d.ts,_bg.wasm}` of each module in `www/src/engine/wasm`; needs the page's packages (for wasm-opt).
 pub fn build() -> Result {

@@ -20,9 +20,9 @@ const handlers: Handlers = {
   sheet: ({ drawing }) => sheetOf(drawing),
   peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
-  export: async (given) => (await loaded()).export(given),
-  carry: async ({ picture, file }) => (await loaded()).carry(picture, file),
-  simplify: async (given) => (await loaded()).simplify(given),
+  export: async (given) => (await files()).exported(given),
+  carry: async ({ picture, file }) => (await files()).withWire(picture, file),
+  simplify: async (given) => (await files()).simplified(given),
   lookAtGuidance: async ({ from }) => (await guidance()).look(from),
   openGuidance: async ({ from, prefer, keep }, tell) => (await guidance()).open(from, prefer, keep, (words, share) => tell({ news: "guidance", words, share })),
   askGuidance: async ({ question }) => (await guidance()).ask(question),
@@ -43,6 +43,9 @@ async function guideBy(run: CoreRun, guide: Guide, first: WireShape | null, told
     notice(`${error instanceof Error ? error.message : "What was to guide it could not be loaded."} The wire goes on without it.`);
   }
 }
+
+/** Comes when somebody saves or shares. */
+const files = (): Promise<typeof import("./files")> => import("./files");
 
 /** Comes when somebody asks for it. */
 async function guidance(): Promise<typeof import("../guidance/service")> {

@@ -1,7 +1,7 @@
 /** What travels to a person stays within its budgets; `cargo xtask budget` measures these and the slower ones. */
 
 import { expect, it } from "vitest";
-import { firstView, FIRST_VIEW_KB, MESH_KB, RUNTIME_KB, runtimeBytes, STAGE_KB, stageBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
+import { firstView, FIRST_VIEW_KB, MESH_KB, FILES_KB, RUNTIME_KB, runtimeBytes, STAGE_KB, stageBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
 
 it("a first view without wasm", async () => {
   const sent = await firstView();
@@ -13,6 +13,7 @@ it("a first view without wasm", async () => {
 it("the wasm modules", () => {
   expect(wasmBytes("wire4d")).toBeLessThanOrEqual(1000 * WASM_KB);
   expect(wasmBytes("wire4d_model")).toBeLessThanOrEqual(1000 * MESH_KB);
+  expect(wasmBytes("wire4d_files")).toBeLessThanOrEqual(1000 * FILES_KB);
 });
 
 it("the runtimes for networks", () => {

@@ -12,6 +12,8 @@ export const FIRST_VIEW_KB = 200;
 export const WASM_KB = 740;
 /** The module that reads mesh files, which is fetched when somebody brings one. */
 export const MESH_KB = 165;
+/** The module that writes files and simpler links, which is fetched when somebody saves or shares. */
+export const FILES_KB = 165;
 /** What computes networks from files, a script and a module: on the processor, and on a graphics card. Fetched when one is opened. */
 export const RUNTIME_KB = { "ort.wasm": 3_900, "ort.webgpu": 6_800 } as const;
 export const STAGE_KB = 40;
@@ -35,7 +37,7 @@ export function total(sent: readonly Sent[]): number {
 }
 
 /** Of the module with that name, gzipped. */
-export function wasmBytes(name: "wire4d" | "wire4d_model"): number {
+export function wasmBytes(name: "wire4d" | "wire4d_model" | "wire4d_files"): number {
   const file = readdirSync(join(DIST, "assets")).find((file) => file.startsWith(`${name}_bg-`) && file.endsWith(".wasm"));
   if (!file) throw new Error(`there is no ${name} in ${DIST}; \`cargo xtask build\` makes it`);
   return gzipSync(readFileSync(join(DIST, "assets", file))).length;
@@ -68,6 +70,7 @@ export async function sizes(): Promise<Account> {
     row("first view without wasm, gzipped", FIRST_VIEW_KB, total(sent)),
     row("wasm, gzipped", WASM_KB, wasmBytes("wire4d")),
     row("wasm for mesh files, gzipped", MESH_KB, wasmBytes("wire4d_model")),
+    row("wasm that writes files, gzipped", FILES_KB, wasmBytes("wire4d_files")),
     row("guidance runtime, gzipped, fetched when guidance is switched on", RUNTIME_KB["ort.wasm"], runtimeBytes("ort.wasm")),
     row("the same for a graphics card", RUNTIME_KB["ort.webgpu"], runtimeBytes("ort.webgpu")),
     row("stage module, gzipped", STAGE_KB, await stageBytes()),

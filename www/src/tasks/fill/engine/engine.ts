@@ -1,6 +1,6 @@
 /** A mesh that a wire covers, in the worker, which keeps the one that was last looked at. */
 
-import { bytesOf, ink, loaded, own, pulled, shape } from "../../../engine/core";
+import { bytesOf, ink, loaded, pulled, shape } from "../../../engine/core";
 import type { TaskEngine } from "../../../engine/task-engine";
 import * as wasm from "../../../engine/wasm/wire4d";
 import { readMesh } from "./mesh-files";
@@ -26,7 +26,7 @@ export const engine: TaskEngine<FillWork> = {
       await loaded();
       return ink(wasm.pattern(pattern, sidePx));
     },
-    exportBefore: async ({ mesh, file, format, view }) => own((await surfaceOf(mesh)).surface.export_file(file, format, view)),
+    exportBefore: async ({ mesh, ...how }) => (await import("../../../engine/files")).exported(how, (await surfaceOf(mesh)).found),
   },
   async start(work, settings, from, { tell, note }) {
     const surface = await styled(work);
