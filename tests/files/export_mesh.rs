@@ -164,7 +164,7 @@ fn glb_is_structured_as_the_specification_says() {
         let data = &file[binary + 8..];
         assert_eq!((u32_at(&file, binary) as usize, data.len() % 4), (data.len(), 0));
         assert_eq!(json["buffers"][0]["byteLength"], data.len());
-        assert_eq!(json["extras"]["wire4d"]["seed"], 7);
+        assert_eq!(json["extras"]["wire4d"]["made_with"]["seed"], 7);
         for (accessor, size) in [(0, 12), (1, 12), (2, 4)] {
             let view = &json["bufferViews"][accessor];
             assert_eq!(view["byteLength"], json["accessors"][accessor]["count"].as_u64().unwrap() * size);
