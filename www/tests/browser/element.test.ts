@@ -121,7 +121,7 @@ it("needs no permission but for its own script", async () => {
   await shown(page, "one");
   expect(page.workers().length).toBe(1);
   // Its style sheet holds.
-  expect(await page.locator("#one").evaluate((element) => getComputedStyle(element).display)).toBe("flex");
+  expect(await page.locator("#one").evaluate((element) => getComputedStyle(element).position)).toBe("relative");
   await page.locator("#one").getByRole("button", { name: "Front" }).click();
   await expect.poll(async () => (await state(page, "one")).view).toBe("front");
   expect(faults).toEqual([]);

@@ -468,7 +468,7 @@ export class WireSculpture extends Base implements Member {
     this.shape = null;
     this.isDrawn = false;
     this.stage?.setWire(null);
-    this.say(sentence, "failed");
+    this.say(sentence, this.poster ? "failed low" : "failed");
     this.dress();
     this.tell("error", { sentence });
   }
