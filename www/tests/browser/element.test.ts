@@ -109,6 +109,9 @@ it("takes a picture, on its walls or on nothing", async () => {
   expect(await corner(false)).toEqual([90, 60, 255, 255]);
   await page.locator("#one").evaluate((element) => element.removeAttribute("shadow"));
   expect(await corner(true)).toEqual([90, 60, 0, 255]);
+  // Moved within the page, it is drawn again.
+  await page.locator("#one").evaluate((element) => document.querySelector("main")!.appendChild(document.createElement("div")).append(element));
+  await shown(page, "one");
   await page.context().close();
 });
 
@@ -286,6 +289,28 @@ it("stands still for people who asked for less motion", async () => {
   await shown(moving.page, "one");
   await expect.poll(() => azimuth(moving.page, "one")).not.toBe(await azimuth(moving.page, "one"));
   await moving.page.context().close();
+});
+
+it("plays how a wire was found, and lets people go back to any step", async () => {
+  const { replay } = JSON.parse(readFileSync(join(ROOT, "www/packages/wire-sculpture/src/testdata/replay.json"), "utf8")) as { replay: string };
+  foreign.put("/found.json", { body: JSON.stringify({ ...(JSON.parse(CLOSED.toString()) as object), replay }) });
+  const { page } = await open("/replay", of("one", `src="/found.json" replay`), { reducedMotion: "reduce" });
+  await loaded(page, "one");
+  const slider = page.locator("#one").getByRole("slider", { name: "How it was found" });
+  const points = () => page.locator("#one").evaluate((element) => [...(element as unknown as { wire: { controlPoints: number[] } }).wire.controlPoints].join());
+  // The end is there at once, and stays: nothing moves by itself.
+  const end = await points();
+  await page.waitForTimeout(1000);
+  expect(await slider.evaluate((range) => (range as HTMLInputElement).value === (range as HTMLInputElement).max)).toBe(true);
+  await slider.fill("0");
+  await expect.poll(points).not.toBe(end);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await page.locator("#one").getByRole("button", { name: "Play how it was found" }).click();
+  await page.locator("#one").getByRole("button", { name: "Pause" }).waitFor();
+  await expect.poll(points, { timeout: 20_000 }).toBe(end);
+  await page.locator("#one").getByRole("button", { name: "Play how it was found" }).waitFor();
+  expect(await axeFaults(page)).toEqual([]);
+  await page.context().close();
 });
 
 it("is a drawing, too, where a worker finds out that nothing can be drawn", async () => {

@@ -115,6 +115,7 @@ export class WireSculpture extends Base implements Member {
   private revealer: HTMLElement | null = null;
   private drawing: SVGSVGElement | null = null;
   private changed = new Set<string>();
+  private updating = false;
   private observer: IntersectionObserver | null = null;
   private ending: AbortController | null = null;
   private reading: AbortController | null = null;
@@ -267,7 +268,6 @@ export class WireSculpture extends Base implements Member {
     }
     this.observer = new IntersectionObserver(([...entries]) => this.approach(entries.at(-1)!.isIntersecting), { rootMargin: NEAR });
     this.observer.observe(this);
-    for (const name of ATTRIBUTES) if (this.hasAttribute(name)) this.changed.add(name);
     this.update();
   }
 
@@ -283,8 +283,12 @@ export class WireSculpture extends Base implements Member {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before === after || !this.isConnected) return;
-    if (this.changed.size === 0) queueMicrotask(() => this.isConnected && this.update());
+    if (before === after) return;
+    // Also what is set elsewhere counts, when it comes into the page.
+    if (!this.updating && this.isConnected) {
+      this.updating = true;
+      queueMicrotask(() => this.isConnected && this.update());
+    }
     this.changed.add(name);
   }
 
@@ -410,6 +414,7 @@ export class WireSculpture extends Base implements Member {
 
   private update(): void {
     const { changed } = this;
+    this.updating = false;
     this.changed = new Set(changed.has("to read") || changed.has("src") || changed.has("code") ? ["to read"] : []);
     if (changed.has("look") || changed.has("color") || changed.has("shadow")) this.recolour();
     if (changed.has("width-scale")) this.sendWire();

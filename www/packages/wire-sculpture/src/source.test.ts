@@ -7,7 +7,7 @@ const VIEW = { name: "front", projection: "orthographic", eye: [0, 0, 3], target
 
 it("reads a wire that is written out, and the views that can be seen through", () => {
   const { wire, views, replay } = fromJson(JSON.stringify({ ...WIRE, views: [VIEW, { ...VIEW, eye: "x" }, { ...VIEW, name: "<b>" }, null] }));
-  expect([...wire.controlPoints]).toEqual(WIRE.control_points.flat());
+  expect(Array.from(wire.controlPoints)).toEqual(WIRE.control_points.flat());
   expect(views.map(({ name }) => name)).toEqual(["front"]);
   expect(replay).toBeNull();
 });
