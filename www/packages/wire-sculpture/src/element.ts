@@ -96,8 +96,8 @@ export class WireSculpture extends Base implements Member {
   private canvas = h("canvas", { class: "live" });
   private canvasUsed = false;
   private readonly still = h("canvas", { class: "still", hidden: "", "aria-hidden": "true" });
-  private readonly image = h("img", { class: "poster", part: "poster", alt: "", hidden: "" });
-  private readonly posterSlot = h("slot", { name: "poster", class: "poster" }, this.image);
+  private readonly image = h("img", { class: "poster", part: "poster", alt: "" });
+  private readonly posterSlot = h("slot", { name: "poster", class: "poster" });
   private readonly about = h("p", { id: "about", class: "unseen" });
   private readonly seenFrom = h("p", { id: "view", class: "unseen" });
   private readonly keys = h("p", { id: "keys", class: "unseen" });
@@ -569,7 +569,9 @@ export class WireSculpture extends Base implements Member {
     }
     this.flat = true;
     leave(this);
-    this.drawSoon();
+    // A drawing has no depth: from straight on it says most.
+    if (this.wanted) this.drawSoon();
+    else this.go("front");
   }
 
   private renewCanvas(): void {
@@ -593,7 +595,7 @@ export class WireSculpture extends Base implements Member {
     const { shape } = this;
     const { drawingOf } = await import("./flat");
     if (shape !== this.shape) return;
-    const drawing = shape && drawingOf(shape, this.wanted ?? "front");
+    const drawing = shape && drawingOf(shape, this.wanted!);
     this.drawing?.remove();
     this.drawing = drawing;
     if (drawing) {
@@ -633,7 +635,8 @@ export class WireSculpture extends Base implements Member {
     this.prompt.textContent = words.prompt;
     const { poster } = this;
     if (poster !== image.getAttribute("src")) setAttribute(image, "src", poster);
-    image.hidden = !poster;
+    if (poster && !image.isConnected) this.posterSlot.append(image);
+    else if (!poster) image.remove();
     this.posterSlot.classList.toggle("away", this.isDrawn || this.drawing !== null);
     this.offerReveal(words);
     const parts = { words, views: this.buttons, controls: this.controls && !this.flat, farSide: this.throughIt !== null };
