@@ -6,7 +6,7 @@ import { join, leave, settle, type Member } from "./crowd";
 import { h, setAttribute } from "./dom";
 import { LOOK_NAMES, lookOf, type LookName } from "./looks";
 import type { Vec3 } from "./matrix";
-import { DIRECTIONS, type ViewName } from "./orbit";
+import { DIRECTIONS, type ViewName } from "./directions";
 import { orbitOf } from "./orbit-text";
 import { ATTRIBUTES, reflect, takeOver } from "./reflect";
 import type { WireShape } from "./shape";
