@@ -5,7 +5,7 @@ import { join } from "node:path";
 import type { BrowserContextOptions, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { axeFaults } from "./a11y";
-import { launch, ROOT, shoot, visit, type VisitOptions } from "./browser";
+import { ROOT, shoot, visit, type VisitOptions } from "./browser";
 import { LEND } from "./colours";
 import { copperAt, heard, openForeign, pageWith } from "./foreign";
 import { openSite } from "./site";
@@ -24,6 +24,10 @@ const loaded = (page: Page, id: string) => expect.poll(() => heard(page, id), { 
 /** It is there to be seen, and not only said to be. */
 const shown = (page: Page, id: string) => expect.poll(() => copperAt(page, `#${id}`), { timeout: 60_000 }).toBeGreaterThan(0.003);
 const state = (page: Page, id: string) => page.locator(`#${id}`).evaluate((element) => (element as unknown as { getState(): { view: string | null; camera: { azimuth: number; elevation: number; reach: number } | null } }).getState());
+async function boxOf(page: Page, id: string) {
+  await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+  return (await page.locator(`#${id}`).boundingBox())!;
+}
 const azimuth = async (page: Page, id: string): Promise<number> => (await state(page, id)).camera?.azimuth ?? NaN;
 
 it("shows three sculptures on another site's page, and lets people turn them", async () => {
@@ -43,7 +47,7 @@ it("shows three sculptures on another site's page, and lets people turn them", a
   expect(await azimuth(page, "second")).toBeCloseTo(10, 3);
 
   // By mouse: to the left the camera goes to the right.
-  const box = (await page.locator("#first").boundingBox())!;
+  const box = await boxOf(page, "first");
   await page.mouse.move(box.x + 160, box.y + 120);
   await page.mouse.down();
   await page.mouse.move(box.x + 100, box.y + 120, { steps: 4 });
@@ -66,7 +70,7 @@ it("shows three sculptures on another site's page, and lets people turn them", a
   await expect.poll(() => azimuth(page, "first")).not.toBeCloseTo(before, 3);
 
   // By touch: one finger turns, two zoom.
-  const third = (await page.locator("#third").boundingBox())!;
+  const third = await boxOf(page, "third");
   const { azimuth: from, reach } = (await state(page, "third")).camera!;
   const touch = await page.context().newCDPSession(page);
   const fingers = (type: "touchStart" | "touchMove" | "touchEnd", ...xs: number[]) =>
@@ -105,6 +109,9 @@ it("takes a picture, on its walls or on nothing", async () => {
   expect(await corner(false)).toEqual([90, 60, 255, 255]);
   await page.locator("#one").evaluate((element) => element.removeAttribute("shadow"));
   expect(await corner(true)).toEqual([90, 60, 0, 255]);
+  // Moved within the page, it is drawn again.
+  await page.locator("#one").evaluate((element) => document.querySelector("main")!.appendChild(document.createElement("div")).append(element));
+  await shown(page, "one");
   await page.context().close();
 });
 
@@ -117,7 +124,7 @@ it("needs no permission but for its own script", async () => {
   await shown(page, "one");
   expect(page.workers().length).toBe(1);
   // Its style sheet holds.
-  expect(await page.locator("#one").evaluate((element) => getComputedStyle(element).display)).toBe("flex");
+  expect(await page.locator("#one").evaluate((element) => getComputedStyle(element).position)).toBe("relative");
   await page.locator("#one").getByRole("button", { name: "Front" }).click();
   await expect.poll(async () => (await state(page, "one")).view).toBe("front");
   expect(faults).toEqual([]);
@@ -214,6 +221,7 @@ it("says in a sentence why there is nothing to show, and harms nothing", async (
     await page.locator(`#${id} img.poster`).waitFor();
   }
   // The views' names are text, or none at all.
+  await page.locator("#fine").scrollIntoViewIfNeeded();
   await loaded(page, "fine");
   expect(await page.evaluate(() => "harmed" in globalThis)).toBe(false);
   await page.getByRole("heading", { name: "Works" }).waitFor();
@@ -262,7 +270,7 @@ it.each(LOOKS)("can be used by everybody: %s", async (name, options) => {
   expect(await axeFaults(page)).toEqual([]);
   const stage = page.locator("#one").getByRole("application", { name: "A cat" });
   const described = await stage.evaluate((canvas) => canvas.getAttribute("aria-describedby")!.split(" ").map((id) => (canvas.getRootNode() as ShadowRoot).getElementById(id)!.textContent).join(" "));
-  expect(described).toMatch(/One wire.*front, side, top.*Seen as a whole.*Arrow keys/);
+  expect(described).toMatch(/One closed wire.*front, side, top.*Seen as a whole.*Arrow keys/);
   await page.locator("#two").getByRole("button", { name: "أمام" }).waitFor();
   await page.keyboard.press("Tab");
   expect(await page.locator("#one .ring").isVisible()).toBe(true);
@@ -283,9 +291,36 @@ it("stands still for people who asked for less motion", async () => {
   await moving.page.context().close();
 });
 
-it("does without a graphics card's interface altogether", async () => {
-  const poor = await launch({ args: ["--disable-3d-apis"] });
-  const { page } = await visit(poor, foreign.put("/poor", pageWith(of("one", `code="${CODE}"`), SCRIPT)));
+it("plays how a wire was found, and lets people go back to any step", async () => {
+  const { replay } = JSON.parse(readFileSync(join(ROOT, "www/packages/wire-sculpture/src/testdata/replay.json"), "utf8")) as { replay: string };
+  foreign.put("/found.json", { body: JSON.stringify({ ...(JSON.parse(CLOSED.toString()) as object), replay }) });
+  const { page } = await open("/replay", of("one", `src="/found.json" replay`), { reducedMotion: "reduce" });
+  await loaded(page, "one");
+  const slider = page.locator("#one").getByRole("slider", { name: "How it was found" });
+  const points = () => page.locator("#one").evaluate((element) => [...(element as unknown as { wire: { controlPoints: number[] } }).wire.controlPoints].join());
+  // The end is there at once, and stays: nothing moves by itself.
+  const end = await points();
+  await page.waitForTimeout(1000);
+  expect(await slider.evaluate((range) => (range as HTMLInputElement).value === (range as HTMLInputElement).max)).toBe(true);
+  await slider.fill("0");
+  await expect.poll(points).not.toBe(end);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await page.locator("#one").getByRole("button", { name: "Play how it was found" }).click();
+  await page.locator("#one").getByRole("button", { name: "Pause" }).waitFor();
+  await expect.poll(points, { timeout: 20_000 }).toBe(end);
+  await page.locator("#one").getByRole("button", { name: "Play how it was found" }).waitFor();
+  expect(await axeFaults(page)).toEqual([]);
+  await page.context().close();
+});
+
+it("is a drawing, too, where a worker finds out that nothing can be drawn", async () => {
+  const poor = `for (const { prototype } of [globalThis.HTMLCanvasElement, OffscreenCanvas].filter(Boolean)) {
+    const getContext = prototype.getContext;
+    prototype.getContext = function (kind, ...rest) { return kind === "webgl2" ? null : getContext.call(this, kind, ...rest); };
+  }`;
+  const module = readFileSync(join(ROOT, "dist/wire-sculpture.js"), "utf8");
+  const script = foreign.put("/poor/wire-sculpture.js", { body: `${poor}\n${module}`, headers: { "content-type": "text/javascript" } });
+  const { page } = await open("/poor", of("one", `code="${CODE}"`), {}, script);
   await page.locator("#one svg.flat").waitFor();
-  await poor.close();
+  await page.context().close();
 });

@@ -20,7 +20,7 @@ export interface Foreign {
 
 /** To be awaited at the head of a file; pages are put there as tests need them. */
 export async function openForeign(): Promise<Foreign> {
-  const answers = new Map<string, Answer>();
+  const answers = new Map<string, Answer>([["/favicon.ico", { body: "", status: 204 }]]);
   const server = createServer((request, response) => {
     const answer = answers.get(new URL(request.url ?? "/", "http://localhost").pathname);
     if (!answer) response.writeHead(404, { "content-type": "text/html" }).end("<h1>Not here</h1>");
@@ -39,7 +39,7 @@ export async function openForeign(): Promise<Foreign> {
 /** A page that says which events its sculptures have fired, in `events`. */
 export function pageWith(body: string, script: string): string {
   return `<!doctype html><html lang="en"><meta charset="utf-8"><title>A portfolio</title>
-<script>events = []; for (const name of ["load", "error", "camera-change", "view-change"]) addEventListener(name, ({ target, detail }) =>
+<script>events = []; for (const name of ["load", "error", "camera-change", "view-change"]) document.addEventListener(name, ({ target, detail }) =>
   target.localName === "wire-sculpture" && events.push([target.id, name, detail]), true);</script>
 <style>body { margin: 16px; font: 16px sans-serif } wire-sculpture { width: 320px; height: 320px }</style>
 <script type="module" src="${script}"></script><main><h1>Works</h1>${body}</main></html>`;

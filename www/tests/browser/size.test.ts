@@ -1,7 +1,10 @@
 /** What travels to a person stays within its budgets; `cargo xtask budget` measures these and the slower ones. */
 
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { expect, it } from "vitest";
-import { firstView, FIRST_VIEW_KB, MESH_KB, FILES_KB, RUNTIME_KB, runtimeBytes, STAGE_KB, stageBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
+import { ELEMENT_KB, elementBytes, firstView, FIRST_VIEW_KB, FILES_KB, MESH_KB, RUNTIME_KB, runtimeBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
+import { DIST } from "./browser";
 
 it("a first view without wasm", async () => {
   const sent = await firstView();
@@ -20,6 +23,9 @@ it("the runtimes for networks", () => {
   for (const name of ["ort.wasm", "ort.webgpu"] as const) expect(runtimeBytes(name)).toBeLessThanOrEqual(1000 * RUNTIME_KB[name]);
 });
 
-it("the stage alone", async () => {
-  expect(await stageBytes()).toBeLessThanOrEqual(1000 * STAGE_KB);
+it("the element, which is one module", () => {
+  expect(elementBytes()).toBeLessThanOrEqual(1000 * ELEMENT_KB);
+  // It fetches nothing more, in no page and in no worker.
+  const module = readFileSync(join(DIST, "wire-sculpture.js"), "utf8");
+  expect(module.match(/\bimport\s*\(|\bfrom\s*["']/g)).toBeNull();
 });

@@ -8,7 +8,7 @@ import { openSite } from "./site";
 
 const { browser, site } = await openSite();
 
-const canvas = (page: Page) => page.locator("wire-stage canvas");
+const canvas = (page: Page) => page.locator("wire-stage canvas.live");
 const seen = (page: Page): Promise<Buffer> => canvas(page).screenshot();
 const colours = async (page: Page) => coloursIn(page, (await seen(page)).toString("base64"));
 const copper = async (page: Page): Promise<number> => (await colours(page)).copper;

@@ -3,8 +3,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { build } from "vite";
-import { DIST, launch, ROOT, serveDist, settled, visit, type Sent } from "../browser/browser";
+import { DIST, launch, serveDist, settled, visit, type Sent } from "../browser/browser";
 import type { Account, Row } from "./budget";
 
 export const FIRST_VIEW_KB = 200;
@@ -16,7 +15,8 @@ export const MESH_KB = 165;
 export const FILES_KB = 165;
 /** What computes networks from files, a script and a module: on the processor, and on a graphics card. Fetched when one is opened. */
 export const RUNTIME_KB = { "ort.wasm": 3_900, "ort.webgpu": 6_800 } as const;
-export const STAGE_KB = 40;
+/** `<wire-sculpture>`, in one module. */
+export const ELEMENT_KB = 40;
 
 /** Every file but the main wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
 export async function firstView(): Promise<Sent[]> {
@@ -51,17 +51,9 @@ export function runtimeBytes(name: keyof typeof RUNTIME_KB): number {
   return files.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, "assets", file))).length, 0);
 }
 
-/** The stage bundled alone, as somebody else's page would embed it; a library build keeps its white space. */
-export async function stageBytes(): Promise<number> {
-  const entry = join(ROOT, "www/packages/wire-sculpture/src/stage.ts");
-  const outDir = join(ROOT, "target/stage-module");
-  await build({
-    configFile: false,
-    logLevel: "error",
-    publicDir: false,
-    build: { outDir, emptyOutDir: true, target: "es2022", minify: true, lib: { entry, formats: ["es"], fileName: "stage" } },
-  });
-  return readdirSync(outDir).reduce((sum, file) => sum + gzipSync(readFileSync(join(outDir, file))).length, 0);
+/** The element's module, which somebody else's page embeds. */
+export function elementBytes(): number {
+  return gzipSync(readFileSync(join(DIST, "wire-sculpture.js"))).length;
 }
 
 export async function sizes(): Promise<Account> {
@@ -73,7 +65,7 @@ export async function sizes(): Promise<Account> {
     row("wasm that writes files, gzipped", FILES_KB, wasmBytes("wire4d_files")),
     row("guidance runtime, gzipped, fetched when guidance is switched on", RUNTIME_KB["ort.wasm"], runtimeBytes("ort.wasm")),
     row("the same for a graphics card", RUNTIME_KB["ort.webgpu"], runtimeBytes("ort.webgpu")),
-    row("stage module, gzipped", STAGE_KB, await stageBytes()),
+    row("the element, gzipped", ELEMENT_KB, elementBytes()),
   ];
   return { rows, notes: ["First view:", ...sent.map(({ file, bytes }) => `- ${kb(bytes)} ${file}`), ""] };
 }

@@ -63,7 +63,7 @@ export class Bar {
     const groups: Node[] = [];
     if (views.length > 0) {
       const buttons = views.map((name) =>
-        h("button", { type: "button", part: "button", "data-view": name, onclick: () => doings.view(name) }, (words as Partial<Record<string, string>>)[name] ?? name),
+        h("button", { type: "button", part: "button", "data-vantage": name, onclick: () => doings.view(name) }, (words as Partial<Record<string, string>>)[name] ?? name),
       );
       groups.push(group(words.lookFrom, views.length > 4 ? "views many" : "views", ...buttons));
     }
@@ -102,7 +102,7 @@ export class Bar {
   private refresh(): void {
     const { element, state, open } = this;
     if (!state) return;
-    for (const button of element.querySelectorAll<HTMLElement>("[data-view]")) setAttribute(button, "aria-pressed", button.dataset["view"] === state.view);
+    for (const button of element.querySelectorAll<HTMLElement>("[data-vantage]")) setAttribute(button, "aria-pressed", button.dataset["vantage"] === state.view);
     for (const name of ["room", "through"] as const) {
       const button = element.querySelector(`[data-state=${name}]`);
       if (button) setAttribute(button, "aria-pressed", state[name]);

@@ -6,7 +6,7 @@ import { join, leave, settle, type Member } from "./crowd";
 import { h, setAttribute } from "./dom";
 import { LOOK_NAMES, lookOf, type LookName } from "./looks";
 import type { Vec3 } from "./matrix";
-import { DIRECTIONS, type ViewName } from "./orbit";
+import { DIRECTIONS, type ViewName } from "./directions";
 import { orbitOf } from "./orbit-text";
 import { ATTRIBUTES, reflect, takeOver } from "./reflect";
 import type { WireShape } from "./shape";
@@ -96,8 +96,8 @@ export class WireSculpture extends Base implements Member {
   private canvas = h("canvas", { class: "live" });
   private canvasUsed = false;
   private readonly still = h("canvas", { class: "still", hidden: "", "aria-hidden": "true" });
-  private readonly image = h("img", { class: "poster", part: "poster", alt: "", hidden: "" });
-  private readonly posterSlot = h("slot", { name: "poster", class: "poster" }, this.image);
+  private readonly image = h("img", { class: "poster", part: "poster", alt: "" });
+  private readonly posterSlot = h("slot", { name: "poster", class: "poster" });
   private readonly about = h("p", { id: "about", class: "unseen" });
   private readonly seenFrom = h("p", { id: "view", class: "unseen" });
   private readonly keys = h("p", { id: "keys", class: "unseen" });
@@ -115,6 +115,7 @@ export class WireSculpture extends Base implements Member {
   private revealer: HTMLElement | null = null;
   private drawing: SVGSVGElement | null = null;
   private changed = new Set<string>();
+  private updating = false;
   private observer: IntersectionObserver | null = null;
   private ending: AbortController | null = null;
   private reading: AbortController | null = null;
@@ -267,7 +268,6 @@ export class WireSculpture extends Base implements Member {
     }
     this.observer = new IntersectionObserver(([...entries]) => this.approach(entries.at(-1)!.isIntersecting), { rootMargin: NEAR });
     this.observer.observe(this);
-    for (const name of ATTRIBUTES) if (this.hasAttribute(name)) this.changed.add(name);
     this.update();
   }
 
@@ -283,8 +283,12 @@ export class WireSculpture extends Base implements Member {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before === after || !this.isConnected) return;
-    if (this.changed.size === 0) queueMicrotask(() => this.isConnected && this.update());
+    if (before === after) return;
+    // Also what is set elsewhere counts, when it comes into the page.
+    if (!this.updating && this.isConnected) {
+      this.updating = true;
+      queueMicrotask(() => this.isConnected && this.update());
+    }
     this.changed.add(name);
   }
 
@@ -410,6 +414,7 @@ export class WireSculpture extends Base implements Member {
 
   private update(): void {
     const { changed } = this;
+    this.updating = false;
     this.changed = new Set(changed.has("to read") || changed.has("src") || changed.has("code") ? ["to read"] : []);
     if (changed.has("look") || changed.has("color") || changed.has("shadow")) this.recolour();
     if (changed.has("width-scale")) this.sendWire();
@@ -468,7 +473,7 @@ export class WireSculpture extends Base implements Member {
     this.shape = null;
     this.isDrawn = false;
     this.stage?.setWire(null);
-    this.say(sentence, "failed");
+    this.say(sentence, this.poster ? "failed low" : "failed");
     this.dress();
     this.tell("error", { sentence });
   }
@@ -564,7 +569,9 @@ export class WireSculpture extends Base implements Member {
     }
     this.flat = true;
     leave(this);
-    this.drawSoon();
+    // A drawing has no depth: from straight on it says most.
+    if (this.wanted) this.drawSoon();
+    else this.go("front");
   }
 
   private renewCanvas(): void {
@@ -588,7 +595,7 @@ export class WireSculpture extends Base implements Member {
     const { shape } = this;
     const { drawingOf } = await import("./flat");
     if (shape !== this.shape) return;
-    const drawing = shape && drawingOf(shape, this.wanted ?? "front");
+    const drawing = shape && drawingOf(shape, this.wanted!);
     this.drawing?.remove();
     this.drawing = drawing;
     if (drawing) {
@@ -628,7 +635,8 @@ export class WireSculpture extends Base implements Member {
     this.prompt.textContent = words.prompt;
     const { poster } = this;
     if (poster !== image.getAttribute("src")) setAttribute(image, "src", poster);
-    image.hidden = !poster;
+    if (poster && !image.isConnected) this.posterSlot.append(image);
+    else if (!poster) image.remove();
     this.posterSlot.classList.toggle("away", this.isDrawn || this.drawing !== null);
     this.offerReveal(words);
     const parts = { words, views: this.buttons, controls: this.controls && !this.flat, farSide: this.throughIt !== null };

@@ -1,6 +1,9 @@
 /** The camera: a direction, a distance and a point to look at, eased from where it is to where it should be. */
 
+import { QUARTER, USUAL_RAD, type Direction } from "./directions";
 import { add, dot, perspective, scale, type Mat4, type Vec3 } from "./matrix";
+
+export { DIRECTIONS, directionOf, type Direction, type Heading, type Vantage, type ViewName } from "./directions";
 
 export interface Pose {
   /** 0 is the front (camera on +z), a quarter turn the side (camera on +x). */
@@ -14,37 +17,8 @@ export interface Pose {
   target: Vec3;
 }
 
-export type Direction = Pick<Pose, "azimuthRad" | "elevationRad" | "fovYRad">;
-
-const QUARTER = Math.PI / 2;
-const NARROW_RAD = 0.02;
-const USUAL_RAD = 0.46;
 /** How fast the usual lens comes back while somebody turns away from a straight view. */
 const WIDEN = 1.3;
-
-export const DIRECTIONS = {
-  room: { azimuthRad: 0.7, elevationRad: 0.4, fovYRad: USUAL_RAD },
-  front: { azimuthRad: 0, elevationRad: 0, fovYRad: NARROW_RAD },
-  side: { azimuthRad: QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
-  right: { azimuthRad: QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
-  back: { azimuthRad: 2 * QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
-  left: { azimuthRad: -QUARTER, elevationRad: 0, fovYRad: NARROW_RAD },
-  top: { azimuthRad: 0, elevationRad: QUARTER, fovYRad: NARROW_RAD },
-} as const satisfies Readonly<Record<string, Direction>>;
-
-/** The room as a whole, or a view straight on. */
-export type ViewName = keyof typeof DIRECTIONS;
-
-/** Anywhere else: straight on, or through the usual lens; `away` is a factor of the distance. */
-export type Heading = Pick<Direction, "azimuthRad" | "elevationRad"> & { readonly away?: number; readonly wide?: boolean };
-
-export type Vantage = ViewName | Heading;
-
-export function directionOf(vantage: Vantage): Direction {
-  if (typeof vantage === "string") return DIRECTIONS[vantage];
-  const { azimuthRad, elevationRad, wide } = vantage;
-  return { azimuthRad, elevationRad, fovYRad: wide ? USUAL_RAD : NARROW_RAD };
-}
 
 export interface Camera {
   clipFromWorld: Mat4;

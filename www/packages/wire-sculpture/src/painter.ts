@@ -1,6 +1,6 @@
 /** Everything that lives on the graphics card: the tube, its three shadows and the walls they fall on. */
 
-import { Body, type BodyShape } from "./body";
+import type { Body } from "./body";
 import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
 import type { Look } from "./looks";
 import { orthographic, type Mat4, type Vec3 } from "./matrix";
@@ -36,7 +36,8 @@ export class Painter {
   private readonly soften: Program;
   private readonly wall: Program;
   private readonly rings: NumberTexture;
-  private readonly body: Body;
+  /** What the wire covers, once there was any. */
+  body: Body | null = null;
   /** What throws one shadow after the other, and the three of them. */
   private readonly caster: SoftTexture;
   private readonly shadows: readonly SoftTexture[];
@@ -50,7 +51,6 @@ export class Painter {
     this.soften = new Program(gl, SOFTEN_VERTEX, SOFTEN_FRAGMENT);
     this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
     this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
-    this.body = new Body(gl);
     this.caster = new SoftTexture(gl, SHADOW_SIZE);
     this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
   }
@@ -66,11 +66,6 @@ export class Painter {
     this.radius = sum > 0 ? squares / sum : 0;
     const rows = Math.ceil(count / RINGS_A_ROW);
     if (rows > 0) this.rings.write(data.subarray(0, rows * RINGS_A_ROW * RING_FLOATS), rows);
-  }
-
-  /** What the wire covers. */
-  loadBody(shape: BodyShape | null): void {
-    this.body.load(shape);
   }
 
   castShadows(): void {
@@ -107,7 +102,7 @@ export class Painter {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     if (look.room) this.paintWalls(camera.clipFromWorld, back, look);
     gl.enable(gl.DEPTH_TEST);
-    this.body.paint(camera, look, through);
+    this.body?.paint(camera, look, through);
     tube.use();
     gl.uniform3fv(tube.at("ramp"), look.ramp.flatMap(linear));
     gl.uniform3fv(tube.at("sky"), linear(look.sky));

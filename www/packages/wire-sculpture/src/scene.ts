@@ -3,7 +3,7 @@
  * when something changed. Touches nothing of a page but the canvas, so that it can be in a worker.
  */
 
-import { boundsOf, type BodyShape } from "./body";
+import type { BodyShape } from "./body";
 import { Easel } from "./easel";
 import { tonesOf, type Look } from "./looks";
 import type { Marks } from "./marks";
@@ -171,14 +171,12 @@ export class Scene {
   }
 
   /** What the wire covers: a solid that hides what is behind it. */
-  setBody(body: BodyShape | null): void {
+  async setBody(body: BodyShape | null): Promise<void> {
     this.body = body;
     // On a body it is sampled more finely.
     this.wireStale = true;
-    this.painter.loadBody(body);
-    if (body && !this.wire) this.box = cornersOf(...boundsOf(body));
-    if (this.view === "room" && !this.touring) this.go("room", FLIGHT_MS);
-    this.invalidate();
+    await this.loadBody();
+    if (body === this.body && this.view === "room" && !this.touring) this.go("room", FLIGHT_MS);
   }
 
   /** Whether the wire is seen through the body. */
@@ -288,13 +286,26 @@ export class Scene {
 
   private readonly restored = (): void => {
     this.painter = new Painter(this.gl);
-    this.painter.loadBody(this.body);
+    void this.loadBody();
     this.easel = new Easel(this.gl);
     this.wireStale = true;
     this.marks = null;
     void this.mark(this.places);
     this.events.lost(false);
   };
+
+  /** The module comes with the first body. */
+  private async loadBody(): Promise<void> {
+    const { body } = this;
+    if (body) {
+      const { Body, boundsOf } = await import("./body");
+      if (body !== this.body) return;
+      this.painter.body ??= new Body(this.gl);
+      if (!this.wire) this.box = cornersOf(...boundsOf(body));
+    }
+    this.painter.body?.load(body);
+    this.invalidate();
+  }
 
   private get aspect(): number {
     return this.width > 0 && this.height > 0 ? this.width / this.height : 1.5;

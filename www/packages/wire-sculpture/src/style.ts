@@ -48,7 +48,7 @@ button, select, input { font: inherit; color: inherit; }
 .live.held { cursor: grab; }
 .live.held:active { cursor: grabbing; }
 .poster { object-fit: contain; }
-.flat { padding: 5%; color: var(--_copper); }
+.flat { padding: 5% 5% 80px; color: var(--_copper); }
 .view > .away { visibility: hidden; opacity: 0; }
 .poster { transition: opacity 250ms ease, visibility 250ms; }
 /* The mask would take the ring as well. */
