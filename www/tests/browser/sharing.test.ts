@@ -294,6 +294,8 @@ describe("the documentation", () => {
     await expect.poll(() => shownWires(page)).toBeGreaterThan(0);
     for (const colorScheme of COLOURS) {
       await page.emulateMedia({ colorScheme });
+      // The element draws beside the page.
+      await page.waitForTimeout(500);
       await shoot(page, `docs-${viewport.width}-${colorScheme}`);
       await fits(page);
       expect(await axeFaults(page)).toEqual([]);
