@@ -107,10 +107,11 @@ describe("the dialog", () => {
   it("says so where a link is too long for a code, and offers files", async () => {
     const { page } = await visit(browser, `${site.url}#job=fill`);
     await share(page);
-    expect((await linkField(page).inputValue()).length).toBeGreaterThan(8_000);
+    const { length } = await linkField(page).inputValue();
+    expect(length).toBeGreaterThan(2_953);
     await expect.poll(() => page.getByText(/A code holds 2,953 characters at most, and this link has/).count()).toBe(1);
     expect(await page.getByRole("img", { name: "QR code of the link" }).count()).toBe(0);
-    expect(await page.getByText(/programs cut/).count()).toBe(1);
+    expect(await page.getByText(/programs cut/).count()).toBe(length > 8_000 ? 1 : 0);
     await inspect(page, "share-too-long");
     await page.context().close();
   });
