@@ -13,7 +13,7 @@ export function answering(sculpture: Sculpture, other: Window, origin: string): 
     const message = readMessage(event.data);
     if (message) void reply(sculpture, message, tell);
   });
-  for (const event of EVENTS) sculpture.addEventListener(event, once(({ detail }) => tell({ event, detail: sent(detail) })));
+  for (const event of EVENTS) sculpture.addEventListener(event, ({ detail }: CustomEventInit) => tell({ event, detail: sent(detail) }));
 }
 
 async function reply(sculpture: Sculpture, { id, ...asked }: Message, tell: (what: object) => void): Promise<void> {
@@ -51,19 +51,6 @@ async function act(sculpture: Sculpture, asked: Asked): Promise<unknown> {
       return picture;
     }
   }
-}
-
-/** The last of several events of a frame. */
-function once(tell: (event: CustomEvent) => void): (event: Event) => void {
-  let last: Event | null = null;
-  return (event) => {
-    if (last === null) requestAnimationFrame(() => {
-      const newest = last as CustomEvent;
-      last = null;
-      tell(newest);
-    });
-    last = event;
-  };
 }
 
 /** Of a detail, what another page can be sent. */

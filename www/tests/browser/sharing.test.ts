@@ -27,7 +27,7 @@ const exampleCode = (await readFile(join(ROOT, "www/src/tasks/multiview/example/
 
 /** Opens the dialog of the wire on the stage. */
 async function share(page: Page): Promise<void> {
-  const more = page.locator("save-panel").getByRole("button", { name: /^\s*QR, embed/ });
+  const more = page.locator("save-panel .more");
   await more.waitFor({ state: "attached" });
   await openPart(page, "Share");
   await more.click();
@@ -107,10 +107,11 @@ describe("the dialog", () => {
   it("says so where a link is too long for a code, and offers files", async () => {
     const { page } = await visit(browser, `${site.url}#job=fill`);
     await share(page);
-    expect((await linkField(page).inputValue()).length).toBeGreaterThan(8_000);
+    const { length } = await linkField(page).inputValue();
+    expect(length).toBeGreaterThan(2_953);
     await expect.poll(() => page.getByText(/A code holds 2,953 characters at most, and this link has/).count()).toBe(1);
     expect(await page.getByRole("img", { name: "QR code of the link" }).count()).toBe(0);
-    expect(await page.getByText(/programs cut/).count()).toBe(1);
+    expect(await page.getByText(/programs cut/).count()).toBe(length > 8_000 ? 1 : 0);
     await inspect(page, "share-too-long");
     await page.context().close();
   });
@@ -128,7 +129,7 @@ describe("embedding", () => {
   const chosen = (name: string) => visited.page.locator("embed-panel").getByLabel(name, { exact: true });
   async function snippet(kind: string): Promise<string> {
     await chosen(kind).check({ force: true });
-    await visited.page.getByRole("button", { name: "Copy snippet" }).click();
+    await visited.page.locator("embed-panel .primary").click();
     await expect.poll(() => visited.page.locator("embed-panel").getByRole("button", { name: "Copied" }).count()).toBe(1);
     return clipboard(visited.page);
   }
@@ -294,6 +295,8 @@ describe("the documentation", () => {
     await expect.poll(() => shownWires(page)).toBeGreaterThan(0);
     for (const colorScheme of COLOURS) {
       await page.emulateMedia({ colorScheme });
+      // The element draws beside the page.
+      await page.waitForTimeout(500);
       await shoot(page, `docs-${viewport.width}-${colorScheme}`);
       await fits(page);
       expect(await axeFaults(page)).toEqual([]);
