@@ -39,8 +39,8 @@ export class HelpDialog extends LitElement {
         <label><input type="checkbox" .checked=${this.letters} @change=${this.switchLetters} /> Use keys of one letter</label>
         <h2>Licences</h2>
         <p class="small quiet">
-          Wire4D is free software, MIT or Apache-2.0. With it come the typeface Figtree (OFL 1.1), icons by Lucide (ISC) and Lit
-          (BSD-3-Clause).
+          Wire4D is free software, MIT or Apache-2.0. With it come the typeface Figtree (OFL 1.1), icons by Lucide (ISC), Lit
+          (BSD-3-Clause), gifenc (MIT) and Mediabunny (MPL-2.0, as it is at github.com/Vanilagy/mediabunny).
         </p>
       </div>
     </dialog>`;
