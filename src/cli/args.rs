@@ -151,8 +151,14 @@ pub fn command() -> Command {
         .subcommand(Command::new("share").about("The wire as a short code for a link").arg(wire()))
         .subcommand(
             Command::new("open")
-                .about("A link or a share code, as pasted, back to wire.json")
-                .arg(Arg::new("code").value_name("CODE").required(true).allow_hyphen_values(true).help("The code"))
+                .about("A link, a share code, or a PNG, SVG or GLB that carries a wire, back to wire.json")
+                .arg(
+                    Arg::new("from")
+                        .value_name("FILE|CODE|LINK")
+                        .required(true)
+                        .allow_hyphen_values(true)
+                        .help("What holds the wire"),
+                )
                 .arg(out_file("wire.json to write")),
         )
         .subcommand(

@@ -2,7 +2,7 @@
 
 use crate::guiding::{Guided, Guides};
 use crate::likeness::Likeness;
-use crate::making::{Making, save, save_picture};
+use crate::making::{Making, made, save, save_picture, silhouette};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::Path;
@@ -11,6 +11,7 @@ use wire4d::mesh::Shape;
 use wire4d::metrics::{ReadingReport, Report};
 use wire4d::model::{MAX_MESH_BYTES, Mended, Up, read_mesh};
 use wire4d::picture::{GreyDepth, Pattern, Polarity, ink, read_picture};
+use wire4d::sculpture::Carried;
 use wire4d::settings::Task;
 use wire4d::tasks::Run;
 use wire4d::tasks::fill::{self, Given, Style};
@@ -21,6 +22,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let guides = Guides::new(matches)?;
     let likeness = Likeness::new(matches)?;
     let (given, reading) = given(matches)?;
+    let carried = carried(matches, &given)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let making = Making::new(&folder, matches.get_flag("quiet"));
@@ -37,7 +39,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let mut report = Report { reading, guidance, distillation, ..run.report(time, !run.session().is_done()) };
     likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
 
-    let made = run.sculpture();
+    let made = made(&run, &report, carried)?;
     save(&folder, &made, &report, &run.loss_csv())?;
     for (index, target) in run.targets().iter().enumerate() {
         let name = &target.view.name;
@@ -56,6 +58,21 @@ fn given(matches: &ArgMatches) -> Result<(Given, Vec<ReadingReport>)> {
     let (style, reading) = style.unzip();
     given.style = style;
     Ok((given, reading.flatten().into_iter().collect()))
+}
+
+/// What names the shape and the style where they are built in; a style's picture goes along as it is.
+fn carried(matches: &ArgMatches, given: &Given) -> Result<Carried> {
+    let mut carried = Carried::default();
+    let shape = args::path(matches, "mesh");
+    if let Some(shape) = Shape::named(&shape.to_string_lossy()).filter(|_| !shape.exists()) {
+        carried.given.insert("shape".into(), shape.name().into());
+    }
+    match &given.style {
+        Some(Style { name, tiles: true, .. }) => _ = carried.given.insert("style".into(), name.clone()),
+        Some(Style { name, ink, .. }) => carried.drawings.push(silhouette("style", name, ink)?),
+        None => {}
+    }
+    Ok(carried)
 }
 
 /// A built-in shape by its word, unless a file is called so; else a mesh's file, in which `up` is up. It has no style yet.

@@ -3,13 +3,14 @@
 use crate::folder::Folder;
 use crate::guiding::{Guided, Guides};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wire4d::export::{ExportOptions, Format, export};
 use wire4d::metrics::{ReadingReport, Report, TimeReport};
 use wire4d::picture::{GreyDepth, encode_png};
-use wire4d::sculpture::Sculpture;
+use wire4d::sculpture::{Carried, MAX_DRAWING_PX, MAX_DRAWINGS, Sculpture, Silhouette};
 use wire4d::tasks::Run;
 use wire4d::view::Image;
 use wire4d::{Error, Result};
@@ -86,6 +87,38 @@ impl Making {
         }
         Ok((time, guided))
     }
+}
+
+/// The best wire of a run with how it was found and what it was made of: the arranged pictures, and what else was `given`.
+pub fn made(run: &Run, report: &Report, given: Carried) -> Result<Sculpture> {
+    let mut carried = Carried { replay: run.replay(), ..given };
+    for target in run.targets().iter().take(MAX_DRAWINGS) {
+        let view = &target.view.name;
+        if let Some(placed) = report.arrangement.iter().find(|placed| &placed.view == view) {
+            carried.drawings.push(silhouette(view, &placed.source, &target.ink)?);
+        }
+    }
+    Ok(Sculpture { carried, ..run.sculpture() })
+}
+
+/// Characters of what a person calls a picture.
+const MOST_OF_A_NAME: usize = 60;
+
+/// A picture as a wire's file carries it: its ink black on white, at most [`MAX_DRAWING_PX`] a side.
+pub fn silhouette(view: &str, name: &str, ink: &Image) -> Result<Silhouette> {
+    let shrink = ink.width.max(ink.height).div_ceil(MAX_DRAWING_PX as usize).max(1);
+    let (width, height) = (ink.width.div_ceil(shrink), ink.height.div_ceil(shrink));
+    let level = |i: usize| {
+        let (columns, rows) = ((i % width) * shrink, (i / width) * shrink);
+        let (right, bottom) = ((columns + shrink).min(ink.width), (rows + shrink).min(ink.height));
+        let sum: f32 =
+            (rows..bottom).map(|y| ink.data[y * ink.width + columns..y * ink.width + right].iter().sum::<f32>()).sum();
+        1.0 - sum / ((right - columns) * (bottom - rows)) as f32
+    };
+    let shades = Image { width, height, data: (0..width * height).map(level).collect() };
+    let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy();
+    let label = stem.chars().take(MOST_OF_A_NAME).collect();
+    Ok(Silhouette { view: view.to_owned(), label, png: encode_png(name, &shades, GreyDepth::Bits8)? })
 }
 
 /// The files of every run but its pictures.

@@ -2,12 +2,13 @@
 
 use crate::guiding::{Guided, Guides};
 use crate::likeness::Likeness;
-use crate::making::{Making, save, save_picture};
+use crate::making::{Making, made, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use wire4d::metrics::{ReadingReport, Report};
 use wire4d::picture::{GreyDepth, read_picture};
+use wire4d::sculpture::Carried;
 use wire4d::settings::{Settings, Task};
 use wire4d::start::Coverable;
 use wire4d::tasks::Run;
@@ -45,7 +46,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let (time, Guided { guidance, distillation }) = making.fit(&mut run, &guides)?;
     let mut report = Report { reading, guidance, distillation, ..run.report(time, !run.session().is_done()) };
     likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
-    save(&folder, &run.sculpture(), &report, &run.loss_csv())?;
+    save(&folder, &made(&run, &report, Carried::default())?, &report, &run.loss_csv())?;
     save_pictures(&folder, &run, &coverable)?;
     bar.finish_and_clear();
     folder.finish()?;

@@ -2,13 +2,14 @@
 
 use crate::guiding::{Guided, Guides};
 use crate::likeness::Likeness;
-use crate::making::{Making, save, save_picture};
+use crate::making::{Making, made, save, save_picture};
 use crate::{args, folder::Folder};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use wire4d::metrics::Report;
 use wire4d::picture::cut::{SURE, Stroke};
 use wire4d::picture::{GreyDepth, Picture, read_depth, read_picture};
+use wire4d::sculpture::Carried;
 use wire4d::settings::Task;
 use wire4d::tasks::Run;
 use wire4d::tasks::stroke::{self, Given};
@@ -40,7 +41,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let mut report = Report { guidance, distillation, ..run.report(time, !run.session().is_done()) };
     likeness.iter().for_each(|likeness| likeness.measure(&mut report, &run));
 
-    let made = run.sculpture();
+    let made = made(&run, &report, Carried::default())?;
     save(&folder, &made, &report, &run.loss_csv())?;
     for target in run.targets() {
         let name = &target.view.name;

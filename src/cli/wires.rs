@@ -4,7 +4,7 @@ use crate::args;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use wire4d::export::{self, ExportOptions, Format};
+use wire4d::export::{self, ExportOptions, Format, Opened};
 use wire4d::files::{read_at_most, write_whole};
 use wire4d::mesh::Mesh;
 use wire4d::metrics::ResultReport;
@@ -91,11 +91,18 @@ pub fn share(matches: &ArgMatches) -> Result<()> {
 
 /// `wire4d open`.
 pub fn open(matches: &ArgMatches) -> Result<()> {
-    let made = export::open_link(matches.get_one::<String>("code").map_or("", String::as_str))?;
+    let from = matches.get_one::<String>("from").map_or("", String::as_str);
+    let made = if is_file(from) { read_wire(Path::new(from))? } else { export::open_link(from)? };
     let out = args::path(matches, "out");
     write_whole(out, made.to_json().as_bytes())?;
     println!("{}", out.display());
     Ok(())
+}
+
+/// Whether a person means a file, be it there or not, rather than a link or a code.
+fn is_file(text: &str) -> bool {
+    let ends_like_one = [".json", ".png", ".svg", ".glb"].iter().any(|end| text.to_ascii_lowercase().ends_with(end));
+    Path::new(text).exists() || (ends_like_one && !text.contains("://"))
 }
 
 /// `wire4d device`.
@@ -144,11 +151,16 @@ fn print_json<T: serde::Serialize>(value: &T) -> Result<()> {
     Ok(())
 }
 
+/// The wire of any file that carries one.
 fn read_wire(path: &Path) -> Result<Sculpture> {
     let name = path.display().to_string();
-    let remedy = "give a wire.json that wire4d wrote";
-    match read_at_most(path, sculpture::MAX_FILE_BYTES) {
-        Ok(Some(bytes)) => Sculpture::from_json(&name, &bytes),
+    let remedy = "give a wire.json, or a PNG, SVG or GLB that Wire4D saved";
+    match read_at_most(path, export::MAX_CARRIER_BYTES) {
+        Ok(Some(bytes)) => {
+            let Opened { sculpture, notes, .. } = export::open_file(&name, &bytes)?;
+            notes.iter().for_each(|note| eprintln!("{name}: {note}"));
+            Ok(sculpture)
+        }
         Ok(None) => Err(Error::wire(name, "is larger than any wire", remedy)),
         Err(error) => Err(Error::wire(name, format!("cannot be read ({error})"), remedy)),
     }

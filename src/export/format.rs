@@ -1,11 +1,10 @@
 //! Which file a name's ending asks for, and the one function that writes any of them.
 
-use super::{SvgOptions, TubeOptions, bend_csv, glb, lines, obj, stl, svg, tube};
+use super::{SvgOptions, TubeOptions, bend_csv, capsule, glb, lines, obj, stl, svg, tube};
 use crate::mesh::Mesh;
 use crate::sculpture::{Sculpture, Strand, strands};
 use crate::view::{Occluder, View};
 use crate::{Error, Result};
-use serde_json::json;
 
 /// A file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,13 +124,13 @@ const SAMPLES_PER_SPAN: usize = 32;
 /// # Examples
 /// ```
 /// use wire4d::export::{ExportOptions, Format, export, open_share_code, share_code};
-/// use wire4d::sculpture::{MadeWith, Sculpture};
+/// use wire4d::sculpture::{Carried, MadeWith, Sculpture};
 /// use wire4d::wire::Wire;
 ///
 /// # fn main() -> wire4d::Result<()> {
 /// let square = [[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1], [0.0, -1.0, 0.0, 0.1]];
 /// let wire = Wire::closed_uniform(square.to_vec())?;
-/// let made = Sculpture { wire, views: Vec::new(), made_with: MadeWith::default() };
+/// let made = Sculpture { wire, views: Vec::new(), made_with: MadeWith::default(), carried: Carried::default() };
 /// let glb = export(&made, Format::from_path("ring.glb")?, None, None, &ExportOptions::default())?;
 /// assert!(glb.starts_with(b"glTF"));
 /// // A link carries it to within a fraction of a pixel.
@@ -150,7 +149,7 @@ pub fn export(
     options.check()?;
     let strands = strands(&sculpture.wire, SAMPLES_PER_SPAN);
     Ok(match format {
-        Format::Glb => glb(&tube(&strands, &options.tube), &extras(sculpture)),
+        Format::Glb => glb(&tube(&strands, &options.tube), &capsule::in_glb(sculpture)),
         Format::Obj => obj(&tube(&strands, &options.tube)).into_bytes(),
         Format::Stl => {
             let (mm_per_world, min_radius_world) = scale(&strands, options.object_size_mm, options.min_radius_mm);
@@ -164,7 +163,7 @@ pub fn export(
                 Format::Lines => lines(&sculpture.wire, view, occluder.as_ref(), options.object_size_mm),
                 _ => svg(&sculpture.wire, view, occluder.as_ref(), &options.svg),
             };
-            text.into_bytes()
+            capsule::in_svg(&text, sculpture).into_bytes()
         }
         Format::BendCsv => {
             let (mm_per_world, _) = scale(&strands, options.object_size_mm, 0.0);
@@ -183,18 +182,6 @@ fn hiding(sculpture: &Sculpture, solid: &Mesh, view: &View) -> Occluder {
     let finer = DEPTHS / view.width_px.max(view.height_px) as f64;
     let [width, height] = [view.width_px, view.height_px].map(|px| (px as f64 * finer).round().max(1.0) as usize);
     Occluder { steepness: STEEPNESS, ..sculpture.hidden_by(solid, &view.with_size(width, height)) }
-}
-
-/// What the GLB says about its making.
-fn extras(sculpture: &Sculpture) -> serde_json::Value {
-    json!({ "wire4d": {
-        "version": sculpture.made_with.wire4d,
-        "task": sculpture.made_with.task,
-        "seed": sculpture.made_with.seed,
-        "views": sculpture.views.iter().map(|view| view.name.as_str()).collect::<Vec<_>>(),
-        "control_points": sculpture.wire.control_points().len(),
-        "closed": sculpture.wire.closed(),
-    } })
 }
 
 /// Millimetres a world unit so that the longest side is `size_mm`, and `min_radius_mm` in world units. A wire thickened

@@ -1,9 +1,14 @@
 //! The finished thing: a wire, the views it was made for, and how it was made. Metrics, exports, command line and page
 //! all start from a [`Sculpture`].
 
+mod carried;
 mod file;
+pub(crate) mod png;
 mod render;
 
+pub(crate) use carried::MAX_CARRIED_BYTES;
+pub use carried::{Carried, MAX_DRAWING_PX, MAX_DRAWINGS, Silhouette};
+pub(crate) use file::{FORMAT, check_heading};
 pub use file::{FORMAT_VERSION, MAX_FILE_BYTES};
 pub use render::{SAMPLES_PER_SPAN, render, render_sampled, render_seen};
 
@@ -15,7 +20,7 @@ use serde::{Deserialize, Serialize};
 /// A wire with its views and its origin; what `wire.json` holds.
 ///
 /// ```
-/// use wire4d::sculpture::{MadeWith, Sculpture};
+/// use wire4d::sculpture::{Carried, MadeWith, Sculpture};
 /// use wire4d::view::View;
 /// use wire4d::wire::Wire;
 ///
@@ -23,7 +28,7 @@ use serde::{Deserialize, Serialize};
 /// let square = [[1.0, 0.0, 0.0, 0.1], [0.0, 1.0, 0.0, 0.1], [-1.0, 0.0, 0.5, 0.1], [0.0, -1.0, 0.0, 0.1]];
 /// let wire = Wire::closed_uniform(square.to_vec())?;
 /// let views = View::canonical(2.2, 256).to_vec();
-/// let made = Sculpture { wire, views, made_with: MadeWith::default() };
+/// let made = Sculpture { wire, views, made_with: MadeWith::default(), carried: Carried::default() };
 /// let file = made.to_json();
 /// assert_eq!(Sculpture::from_json("wire.json", file.as_bytes())?, made);
 /// # Ok(())
@@ -37,6 +42,8 @@ pub struct Sculpture {
     pub views: Vec<View>,
     /// How it was made.
     pub made_with: MadeWith,
+    /// What it was made of and how it was found, for going on from it.
+    pub carried: Carried,
 }
 
 impl Sculpture {

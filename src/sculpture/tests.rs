@@ -21,7 +21,7 @@ fn sculpture(seed: u64, count: usize, closed: bool) -> Sculpture {
         ..View::orthographic("", 0.0, 0.0, 1.0, 64)
     });
     let made_with = MadeWith { task: "multiview".into(), seed, ..MadeWith::default() };
-    Sculpture { wire: wire.unwrap(), views, made_with }
+    Sculpture { wire: wire.unwrap(), views, made_with, carried: Carried::default() }
 }
 
 fn problem(text: &str) -> String {

@@ -3,7 +3,7 @@
 use crate::json;
 use crate::pictures::{Ink, ViewTarget};
 use wasm_bindgen::prelude::*;
-use wire4d::export::{self, ExportOptions, Format};
+use wire4d::export::{self, ExportOptions, Format, Opened};
 use wire4d::mesh::Mesh;
 use wire4d::metrics::{ResultReport, elegance};
 use wire4d::sculpture::Sculpture;
@@ -40,11 +40,15 @@ pub struct Made {
     targets: Vec<ViewTarget>,
     shown: Vec<Ink>,
     result: ResultReport,
+    /// The share code that it came with.
+    code: Option<String>,
+    /// What could not be read of the file it is from.
+    notes: Vec<String>,
 }
 
 impl Made {
     pub(crate) fn new(sculpture: Sculpture, targets: Vec<ViewTarget>, result: ResultReport) -> Made {
-        Made { sculpture, targets, shown: Vec::new(), result }
+        Made { sculpture, targets, shown: Vec::new(), result, code: None, notes: Vec::new() }
     }
 
     /// With what each view shows of it as the fit sees it.
@@ -66,14 +70,20 @@ impl Made {
         Ok(Made::alone(export::open_share_code(code)?))
     }
 
-    /// Opens a wire.json; `name` is what the person calls the file.
+    /// Opens a file that carries a wire; `name` is what the person calls it.
     pub fn from_file(name: &str, file: &[u8]) -> Result<Made, JsError> {
-        Ok(Made::alone(Sculpture::from_json(name, file)?))
+        let Opened { sculpture, code, notes } = export::open_file(name, file)?;
+        Ok(Made { code, notes, ..Made::alone(sculpture) })
     }
 
-    /// What a link carries.
+    /// What could not be read of what it was made of: a sentence each.
+    pub fn notes(&self) -> Vec<String> {
+        self.notes.clone()
+    }
+
+    /// What a link carries: as it came, if it came with one.
     pub fn share_code(&self) -> String {
-        export::share_code(&self.sculpture)
+        self.code.clone().unwrap_or_else(|| export::share_code(&self.sculpture))
     }
 
     /// The wire.
@@ -124,13 +134,27 @@ impl Made {
     }
 }
 
+/// A wire.json made simpler, for a link of at most so many characters: as JSON, see [`export::Simplified`]. Nothing where it
+/// cannot be.
+#[wasm_bindgen]
+pub fn simplify(file: &[u8], characters: usize) -> Result<Option<String>, JsError> {
+    let sculpture = Sculpture::from_json("wire.json", file)?;
+    Ok(export::simplified_code(&sculpture, characters).map(|simplified| json(&simplified)))
+}
+
 /// A wire.json as a file of another format, by its ending; `view` is the name of the view that an SVG shows.
 #[wasm_bindgen]
 pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {
     Ok(exported(file, format, view, None)?)
 }
 
-/// The same of a wire that covers a solid, which hides what of an SVG's lines is behind it.
+/// A PNG picture of the wire of a wire.json, with all that this has: it opens again.
+#[wasm_bindgen]
+pub fn picture_with_wire(picture: &[u8], file: &[u8]) -> Result<Vec<u8>, JsError> {
+    Ok(export::in_png(picture, &Sculpture::from_json("wire.json", file)?)?)
+}
+
+/// [`export_file`] of a wire that covers a solid, which hides what of an SVG's lines is behind it.
 pub(crate) fn exported(file: &[u8], format: &str, view: &str, solid: Option<&Mesh>) -> Result<Vec<u8>> {
     let sculpture = Sculpture::from_json("wire.json", file)?;
     let format = Format::from_path(&format!("wire.{format}"))?;

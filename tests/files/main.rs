@@ -2,6 +2,7 @@
 
 mod export_files;
 mod export_mesh;
+mod export_replay;
 mod export_share;
 #[path = "../support/export_support/mod.rs"]
 mod export_support;
@@ -16,4 +17,5 @@ mod notice;
 mod page_types;
 #[cfg(feature = "files")]
 mod picture_files;
+mod reopening;
 mod three_mf;

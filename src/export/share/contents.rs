@@ -1,7 +1,9 @@
 //! What a share code holds, as whole numbers, and the order in which it is written: [`Contents::transcode`] describes
 //! the format once for both directions.
 
-use super::range::{Coder, Model, NUMBER_BITS, NumberModels};
+use super::guess::MAX_NUMBER;
+use super::range::{Coder, Model, NumberModels};
+use super::series;
 use crate::view::{Projection, View};
 use crate::wire::{Form, MAX_CONTROL_POINTS};
 
@@ -34,16 +36,17 @@ pub struct KnotCode {
 /// Most that is read of each; a wire needs less.
 const MAX_VIEWS: u64 = 64;
 const MAX_NAME_BYTES: u64 = 256;
-/// Numbers stay within this, whatever a damaged code says.
-const MAX_NUMBER: i64 = 1 << (NUMBER_BITS - 4);
-
+/// What a task is mostly called; any other name is spelled.
+const TASKS: [&str; 3] = ["multiview", "stroke", "fill"];
+/// Low bits of a step that are 0 in version 2: it is one of sixteen in an octave.
+pub const STEP_ZEROS: u32 = 19;
 /// The code says something no wire has.
 #[derive(Debug)]
 pub struct Nonsense;
 
 impl Contents {
-    /// Writes `self`, or reads into `self`.
-    pub fn transcode(&mut self, coder: &mut impl Coder) -> Result<(), Nonsense> {
+    /// Writes `self`, or reads into `self`, as a code of that version.
+    pub fn transcode(&mut self, coder: &mut impl Coder, version: u8) -> Result<(), Nonsense> {
         self.form = match coder.bits(self.form as u64, 2) {
             0 => Form::Spline,
             1 => Form::Chain,
@@ -55,23 +58,36 @@ impl Contents {
         if count > MAX_CONTROL_POINTS as u64 {
             return Err(Nonsense);
         }
+        let count = count as usize;
+        let zeros = if version == 1 { 0 } else { STEP_ZEROS };
         for step in &mut self.steps {
-            *step = f32::from_bits(coder.bits(u64::from(step.to_bits()), 32) as u32);
+            transcode_step(coder, step, zeros);
         }
-        self.control_points.resize(count as usize, [0; 4]);
-        transcode_columns(coder, &mut self.control_points, 0..3)?;
-        transcode_columns(coder, &mut self.control_points, 3..4)?;
+        self.control_points.resize(count, [0; 4]);
         let intervals = if self.closed { count } else { count.saturating_sub(3) };
-        self.knots.transcode(coder, intervals as usize)?;
+        if version == 1 {
+            transcode_columns(coder, &mut self.control_points, 0..3)?;
+            transcode_columns(coder, &mut self.control_points, 3..4)?;
+            self.knots.transcode(coder, intervals)?;
+        } else {
+            series::transcode(coder, &mut self.control_points)?;
+            self.knots.transcode_mostly_uniform(coder, intervals)?;
+        }
         let views = coder.whole(self.views.len() as u64);
         if views > MAX_VIEWS {
             return Err(Nonsense);
         }
         self.views.resize_with(views as usize, blank_view);
+        let mut before = usual_view();
         for view in &mut self.views {
-            transcode_view(coder, view)?;
+            transcode_view(coder, view, (version > 1).then_some(&before))?;
+            before.clone_from(view);
         }
-        text(coder, &mut self.task)?;
+        let task = TASKS.iter().position(|task| *task == self.task).unwrap_or(TASKS.len());
+        match if version == 1 { None } else { TASKS.get(coder.bits(task as u64, 2) as usize) } {
+            Some(task) => (*task).clone_into(&mut self.task),
+            None => text(coder, &mut self.task)?,
+        }
         self.seed = coder.whole(self.seed);
         Ok(())
     }
@@ -122,7 +138,22 @@ fn transcode_columns(
     Ok(())
 }
 
+/// A step with some low bits that are 0.
+pub fn transcode_step(coder: &mut impl Coder, step: &mut f32, zeros: u32) {
+    *step = f32::from_bits((coder.bits(u64::from(step.to_bits() >> zeros), 32 - zeros) as u32) << zeros);
+}
+
 impl KnotCode {
+    /// In one bit, if it is what most wires have.
+    pub fn transcode_mostly_uniform(&mut self, coder: &mut impl Coder, count: usize) -> Result<(), Nonsense> {
+        let uniform = KnotCode { start: 0.0, longest: 1.0, per_octave: 1, intervals: vec![1; count] };
+        if coder.flag(*self == uniform) {
+            *self = uniform;
+            return Ok(());
+        }
+        self.transcode(coder, count)
+    }
+
     fn transcode(&mut self, coder: &mut impl Coder, count: usize) -> Result<(), Nonsense> {
         self.start = float(coder, self.start);
         self.longest = float(coder, self.longest);
@@ -148,18 +179,20 @@ fn blank_view() -> View {
     View::orthographic("", 0.0, 0.0, 1.0, 1)
 }
 
-fn transcode_view(coder: &mut impl Coder, view: &mut View) -> Result<(), Nonsense> {
-    view.width_px = size(coder, view.width_px);
-    let square = coder.flag(view.height_px == view.width_px);
-    view.height_px = if square { view.width_px } else { size(coder, view.height_px) };
-    let perspective = coder.flag(matches!(view.projection, Projection::Perspective { .. }));
-    let (Projection::Orthographic { height_world: extent } | Projection::Perspective { fov_y_rad: extent }) =
-        view.projection;
-    let extent = float(coder, extent);
-    view.projection = match perspective {
-        true => Projection::Perspective { fov_y_rad: extent },
-        false => Projection::Orthographic { height_world: extent },
-    };
+/// What most first views are.
+fn usual_view() -> View {
+    View::orthographic("", 0.0, 0.0, 2.2, 256)
+}
+
+/// From version 2 on a view's size and lens may be as those of the one before.
+fn transcode_view(coder: &mut impl Coder, view: &mut View, before: Option<&View>) -> Result<(), Nonsense> {
+    let lens = |view: &View| (view.width_px, view.height_px, view.projection);
+    match before {
+        Some(before) if coder.flag(lens(view) == lens(before)) => {
+            (view.width_px, view.height_px, view.projection) = lens(before);
+        }
+        _ => transcode_lens(coder, view),
+    }
     // Front, side and top are known by heart; 3 is any other view.
     let known = View::canonical(1.0, 1);
     let same = |a: &View, b: &View| (&a.name, a.eye, a.target, a.up) == (&b.name, b.eye, b.target, b.up);
@@ -176,6 +209,20 @@ fn transcode_view(coder: &mut impl Coder, view: &mut View) -> Result<(), Nonsens
         }
     }
     Ok(())
+}
+
+fn transcode_lens(coder: &mut impl Coder, view: &mut View) {
+    view.width_px = size(coder, view.width_px);
+    let square = coder.flag(view.height_px == view.width_px);
+    view.height_px = if square { view.width_px } else { size(coder, view.height_px) };
+    let perspective = coder.flag(matches!(view.projection, Projection::Perspective { .. }));
+    let (Projection::Orthographic { height_world: extent } | Projection::Perspective { fov_y_rad: extent }) =
+        view.projection;
+    let extent = float(coder, extent);
+    view.projection = match perspective {
+        true => Projection::Perspective { fov_y_rad: extent },
+        false => Projection::Orthographic { height_world: extent },
+    };
 }
 
 fn size(coder: &mut impl Coder, size: usize) -> usize {

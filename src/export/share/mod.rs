@@ -3,43 +3,49 @@
 //! Control points are rounded to a grid so fine that nothing moves by 0.3 px at 512 px in any of the views, guessed from
 //! those before, and what the guess missed is range coded with learned probabilities. A code is base64url of
 //! `[version][range-coded contents][CRC-32 of all before]`. Settings are not carried.
+//!
+//! Version 1 guessed each coordinate by itself; its codes still open.
 
 mod contents;
+mod grid;
+mod guess;
 mod pasted;
 mod range;
+pub mod replay;
+mod series;
+mod simplified;
 
-use crate::sculpture::{MadeWith, Sculpture};
-use crate::view::View;
+pub use simplified::{Simplified, simplified_code};
+
+use crate::sculpture::{Carried, MadeWith, Sculpture};
 use crate::wire::Wire;
 use crate::{Error, Result};
 use base64::Engine as _;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use contents::{Contents, KnotCode};
+use grid::Rounded;
 use range::{Decoder, Encoder};
 
 /// First byte of a code; the checksum's place is the same in all versions.
-const VERSION: u8 = 1;
-/// No wire needs more; longer texts are refused unread.
-const MAX_CODE_CHARACTERS: usize = 1 << 20;
+const VERSION: u8 = 2;
+/// Longer texts are refused unread: much may stand round a link.
+const MAX_TEXT_CHARACTERS: usize = 1 << 20;
+/// 64 kB; a wire of 20,000 control points needs less.
+const MAX_CODE_CHARACTERS: usize = (64 << 10) * 4 / 3 + 2;
 const MAX_TASK_BYTES: usize = 256;
 
-/// Picture size for which the precision is chosen.
-const SIZE_PX: f64 = 512.0;
-/// How far rounding may move the centre line and the radius, in those pixels: together less than 0.3, with some left
-/// for knots and perspective.
-const CENTRE_PX: f64 = 0.19;
-const RADIUS_PX: f64 = 0.06;
-/// Coordinates are at most this many steps, however near an eye is.
-const MAX_STEPS: f64 = (1u64 << 24) as f64;
 /// Fineness of knots that are no halvings: 0.07% a step.
 const STEPS_PER_OCTAVE: u64 = 512;
 
 /// The share code of a sculpture: letters, digits, `-` and `_` only.
 pub fn share_code(sculpture: &Sculpture) -> String {
-    let mut contents = contents(sculpture);
+    code_of(sculpture, grid::rounded(sculpture))
+}
+
+fn code_of(sculpture: &Sculpture, rounded: Rounded) -> String {
     let mut encoder = Encoder::new();
     // Writing meets no nonsense: the limits are those of valid wires and views.
-    let written = contents.transcode(&mut encoder);
+    let written = contents(sculpture, rounded).transcode(&mut encoder, VERSION);
     debug_assert!(written.is_ok());
     let mut bytes = vec![VERSION];
     bytes.extend(encoder.finish());
@@ -52,8 +58,8 @@ pub fn share_code(sculpture: &Sculpture) -> String {
 /// # Errors
 /// As [`open_share_code`].
 pub fn open_link(text: &str) -> Result<Sculpture> {
-    if text.len() > MAX_CODE_CHARACTERS {
-        return Err(bad("is longer than any code", "copy only the code or the link"));
+    if text.len() > MAX_TEXT_CHARACTERS {
+        return Err(too_long());
     }
     let codes = pasted::codes_in(text);
     let Some(first) = codes.first() else {
@@ -72,16 +78,19 @@ pub fn open_link(text: &str) -> Result<Sculpture> {
 /// [`Error::ShareCode`] for anything that is damaged, foreign or newer than this program.
 pub fn open_share_code(code: &str) -> Result<Sculpture> {
     let damaged = || bad("is damaged or incomplete", "copy the whole code or link again");
+    if code.len() > MAX_CODE_CHARACTERS {
+        return Err(too_long());
+    }
     let body = body(code).ok_or_else(damaged)?;
     let (&version, packed) = body.split_first().ok_or_else(damaged)?;
     if version > VERSION {
         return Err(bad(&format!("has version {version}, newer than this program reads ({VERSION})"), "update Wire4D"));
     }
-    if version != VERSION {
+    if version == 0 {
         return Err(damaged());
     }
     let mut contents = Contents::default();
-    contents.transcode(&mut Decoder::new(packed)).map_err(|_| damaged())?;
+    contents.transcode(&mut Decoder::new(packed), version).map_err(|_| damaged())?;
     sculpture(contents).map_err(|error| match error {
         Error::Wire { problem, .. } => bad(&format!("holds no valid wire ({problem})"), "ask for a new code"),
         _ => damaged(),
@@ -100,26 +109,16 @@ fn body(code: &str) -> Option<Vec<u8>> {
     whole.then_some(bytes)
 }
 
+fn too_long() -> Error {
+    bad("is longer than any code", "copy only the code or the link")
+}
+
 fn bad(problem: &str, remedy: &str) -> Error {
     Error::ShareCode { problem: problem.to_owned(), remedy: remedy.to_owned() }
 }
 
-fn contents(sculpture: &Sculpture) -> Contents {
+fn contents(sculpture: &Sculpture, Rounded { steps, points }: Rounded) -> Contents {
     let wire = &sculpture.wire;
-    let pixels = pixels_per_world(sculpture);
-    let largest = wire.control_points().iter().flatten().fold(0.0f64, |most, c| most.max(c.abs()));
-    // Rounding moves a point by at most √3 / 2 of a step, and a radius by a quarter.
-    let steps = [CENTRE_PX * 2.0 / 3f64.sqrt(), RADIUS_PX * 4.0]
-        .map(|step| (step / pixels).max(largest / MAX_STEPS).max(1e-9) as f32);
-    let quantise = |x: f64, step: f32| (x / f64::from(step)).round() as i64;
-    let control_points = wire
-        .control_points()
-        .iter()
-        .map(|&[x, y, z, width]| {
-            let [x, y, z] = [x, y, z].map(|c| quantise(c, steps[0]));
-            [x, y, z, quantise(width, steps[1])]
-        })
-        .collect();
     let mut task = sculpture.made_with.task.clone();
     while task.len() > MAX_TASK_BYTES {
         task.pop();
@@ -128,25 +127,12 @@ fn contents(sculpture: &Sculpture) -> Contents {
         form: wire.form(),
         closed: wire.closed(),
         steps,
-        control_points,
+        control_points: points,
         knots: knot_code(wire),
         views: sculpture.views.clone(),
         task,
         seed: sculpture.made_with.seed,
     }
-}
-
-/// The most pixels a world unit of the wire takes in any view whose longer side is 512 px.
-fn pixels_per_world(sculpture: &Sculpture) -> f64 {
-    let standard = View::canonical(2.2, SIZE_PX as usize);
-    let views = if sculpture.views.is_empty() { &standard[..] } else { &sculpture.views };
-    let in_view = |view: &View| {
-        let camera = view.camera::<f64>();
-        let scale = SIZE_PX / view.width_px.max(view.height_px) as f64;
-        let points = sculpture.wire.control_points().iter();
-        points.map(|point| camera.pixels_per_world(point)).fold(0.0, f64::max) * scale
-    };
-    views.iter().map(in_view).fold(0.0, f64::max)
 }
 
 fn knot_code(wire: &Wire) -> KnotCode {
@@ -168,19 +154,13 @@ fn knot_code(wire: &Wire) -> KnotCode {
 
 fn sculpture(contents: Contents) -> Result<Sculpture> {
     let Contents { form, closed, steps, control_points, knots, views, task, seed } = contents;
-    let steps = steps.map(f64::from);
-    let control_points = control_points
-        .iter()
-        .map(|&[x, y, z, width]| {
-            let [x, y, z] = [x, y, z].map(|c| c as f64 * steps[0]);
-            [x, y, z, width as f64 * steps[1]]
-        })
-        .collect();
+    let control_points = control_points.into_iter().map(|point| grid::point_from(point, steps)).collect();
     let wire = Wire::new(form, closed, knots_from(&knots, closed), control_points)?;
     for view in &views {
         view.check()?;
     }
-    Ok(Sculpture { wire, views, made_with: MadeWith { task, seed, ..MadeWith::default() } })
+    let made_with = MadeWith { task, seed, ..MadeWith::default() };
+    Ok(Sculpture { wire, views, made_with, carried: Carried::default() })
 }
 
 fn knots_from(code: &KnotCode, closed: bool) -> Vec<f64> {

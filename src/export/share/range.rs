@@ -35,13 +35,17 @@ impl Model {
     }
 }
 
-/// Longest magnitude of [`Coder::number`] in bits.
-pub const NUMBER_BITS: u32 = 31;
-
 /// Writes or reads bits; see the module.
 pub trait Coder {
+    /// A bit that is 1 with a probability of `one` in 2^`precision`, neither never nor always; `precision` is at most 16.
+    fn split(&mut self, bit: bool, one: u32, precision: u32) -> bool;
+
     /// A bit whose probability is learned.
-    fn bit(&mut self, bit: bool, model: &mut Model) -> bool;
+    fn bit(&mut self, bit: bool, model: &mut Model) -> bool {
+        let bit = self.split(bit, model.probability(), 12);
+        model.learn(bit);
+        bit
+    }
 
     /// Whether more was read than there is.
     fn exhausted(&self) -> bool {
@@ -64,7 +68,7 @@ pub trait Coder {
         self.bits(value, length)
     }
 
-    /// A number that is often small, below 2^[`NUMBER_BITS`]; `models` learn how small.
+    /// A number that is often small, below 2^31; `models` learn how small.
     fn number(&mut self, value: i64, models: &mut NumberModels) -> i64 {
         let magnitude = value.unsigned_abs();
         let length = self.tree(u64::BITS - magnitude.leading_zeros(), &mut models.length);
@@ -164,15 +168,14 @@ impl Encoder {
 }
 
 impl Coder for Encoder {
-    fn bit(&mut self, bit: bool, model: &mut Model) -> bool {
-        let bound = (self.range >> 12) * model.probability();
+    fn split(&mut self, bit: bool, one: u32, precision: u32) -> bool {
+        let bound = (self.range >> precision) * one;
         if bit {
             self.range = bound;
         } else {
             self.low += u64::from(bound);
             self.range -= bound;
         }
-        model.learn(bit);
         while self.range < LEAST_RANGE {
             self.range <<= 8;
             self.shift();
@@ -208,8 +211,8 @@ impl<'a> Decoder<'a> {
 }
 
 impl Coder for Decoder<'_> {
-    fn bit(&mut self, _: bool, model: &mut Model) -> bool {
-        let bound = (self.range >> 12) * model.probability();
+    fn split(&mut self, _: bool, one: u32, precision: u32) -> bool {
+        let bound = (self.range >> precision) * one;
         let bit = self.code < bound;
         if bit {
             self.range = bound;
@@ -217,7 +220,6 @@ impl Coder for Decoder<'_> {
             self.code -= bound;
             self.range -= bound;
         }
-        model.learn(bit);
         while self.range < LEAST_RANGE {
             self.range <<= 8;
             self.shift();

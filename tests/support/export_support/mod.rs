@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 use wire4d::rng::Rng;
-use wire4d::sculpture::{MadeWith, Sculpture};
+use wire4d::sculpture::{Carried, MadeWith, Sculpture};
 use wire4d::view::{Projection, View};
 use wire4d::wire::{Form, Wire};
 
@@ -124,7 +124,7 @@ pub fn all() -> Vec<(&'static str, Wire)> {
 /// With the three canonical views.
 pub fn sculpture(wire: Wire) -> Sculpture {
     let made_with = MadeWith { task: "multiview".into(), seed: 7, ..MadeWith::default() };
-    Sculpture { wire, views: View::canonical(2.2, 256).to_vec(), made_with }
+    Sculpture { wire, views: View::canonical(2.2, 256).to_vec(), made_with, carried: Carried::default() }
 }
 
 /// A view in perspective from an odd direction.

@@ -105,6 +105,8 @@ export interface Finished {
   readonly file: Uint8Array<ArrayBuffer>;
   /** The share code. */
   readonly code: string;
+  /** What could not be read of the file that it comes from, sentences. */
+  readonly notes?: readonly string[];
 }
 
 /** Where a wire fails, world units: a place for every stretch that does. */
@@ -156,6 +158,19 @@ export type SettingValues = Readonly<Record<string, string>>;
 
 export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "lines.svg" | "wire.json" | "bend.csv";
 
+/** A wire.json to be made simpler, for a share code of at most so many characters. */
+export interface SimplifyArguments {
+  readonly file: Uint8Array;
+  readonly characters: number;
+}
+
+/** A code that shows nearly the same wire, and how far that is off in pixels of a view of 512 px: at most, and in the mean. */
+export interface Simplified {
+  readonly code: string;
+  readonly most_px: number;
+  readonly mean_px: number;
+}
+
 export interface ExportArguments {
   readonly file: Uint8Array<ArrayBuffer>;
   readonly format: ExportFormat;
@@ -196,10 +211,14 @@ export interface Calls {
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */
   peek: { arguments: { code: string }; answer: { wire: WireShape; views: readonly View[] } };
-  /** A share code, or the bytes of a wire.json with its name. */
+  /** A share code, or the bytes of a file that carries a wire, with its name. */
   open: { arguments: { code: string } | { file: Uint8Array<ArrayBuffer>; name: string }; answer: Finished };
   /** A wire.json in another format; `view` is the name of the view an SVG draws. */
   export: { arguments: ExportArguments; answer: Uint8Array<ArrayBuffer> };
+  /** A PNG picture that carries the wire of a wire.json, with all that this has. */
+  carry: { arguments: { picture: Uint8Array<ArrayBuffer>; file: Uint8Array<ArrayBuffer> }; answer: Uint8Array<ArrayBuffer> };
+  /** `null` where nothing like the wire is as short. */
+  simplify: { arguments: SimplifyArguments; answer: Simplified | null };
   /** What a network from elsewhere is, before anything of it is used. */
   lookAtGuidance: { arguments: { from: Source }; answer: Facts };
   /**

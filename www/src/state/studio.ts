@@ -180,6 +180,7 @@ export class Studio implements Parts {
         const { passing } = store.get();
         store.set({ passing: { ...passing, [name]: { ...passing[name], ...change } } });
       },
+      opens: (file, name) => this.opener.opens(file, name),
       warn: (problem) => this.warn(problem),
     };
   }

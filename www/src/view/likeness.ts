@@ -66,9 +66,10 @@ export function verdictOf({ finished }: Made, views: readonly Compared[], good: 
 }
 
 /** Of a wire without its pictures. */
-export function nothingToCompare({ finished }: Made): string {
+export function nothingToCompare({ finished, carried }: Made): string {
   const { components } = finished.measures;
-  return `${components === 1 ? "One piece of wire" : `${components} pieces of wire`}. Its drawings are not with it, so there is nothing to compare.`;
+  const why = carried ? "It is compared with its drawings when it is made again" : "Its drawings are not with it, so there is nothing to compare";
+  return `${components === 1 ? "One piece of wire" : `${components} pieces of wire`}. ${why}.`;
 }
 
 function bending(views: readonly Compared[]): string {

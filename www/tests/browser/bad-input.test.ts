@@ -28,7 +28,7 @@ async function complaint(file: Parameters<typeof give>[2], named: string): Promi
   await give(page, 0, file);
   const message = pad(page, 0).getByRole("alert");
   await message.filter({ hasText: named }).waitFor();
-  expect(await shown(0)).toBe(before);
+  await expect.poll(() => shown(0)).toBe(before);
   const words = (await message.textContent())!;
   await message.getByRole("button", { name: "Close this message" }).click();
   return words;

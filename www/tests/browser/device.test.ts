@@ -116,7 +116,7 @@ it("names the card while there is one, and tells when it is lost on the way", as
   await runButton(page).click();
   await phase(page, "running");
   await notice(page).waitFor();
-  expect((await notice(page).textContent())!.trim()).toBe("The graphics card was lost; the processor goes on.");
+  await expect.poll(async () => (await notice(page).textContent())!.trim()).toBe("The graphics card was lost; the processor goes on.");
   await expect.poll(() => device(page).textContent()).toBe("Processor");
   await inspect(page, "device-lost");
   await page.getByRole("button", { name: "Stop" }).click();

@@ -152,7 +152,7 @@ describe("before a run", () => {
     await pad(page, 0).getByRole("button", { name: /^More/ }).click();
     await page.getByRole("menuitem", { name: "Turn left" }).click();
     await previewed(page);
-    expect(await hatchedOn(page, 0)).toBeGreaterThan(0);
+    await expect.poll(() => hatchedOn(page, 0)).toBeGreaterThan(0);
     await inspect(page, "remedies");
     const remedies = page.locator("remedy-list ul[aria-label='What would help'] button");
     await expect.poll(() => remedies.count()).toBeGreaterThan(0);

@@ -70,9 +70,9 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   await idle(page);
   const said = await verdict(page);
   expect(said).toMatch(/No spot is farther from it than \d+\.\d% of the shape’s size/);
-  expect(await figure(page, "Pieces")).toBe("1");
+  await expect.poll(() => figure(page, "Pieces")).toBe("1");
   expect(parseFloat((await figure(page, "Length"))!)).toBeGreaterThan(20);
-  expect(await figure(page, "Off the surface, on average")).toMatch(/^\d+\.\d%$/);
+  await expect.poll(() => figure(page, "Off the surface, on average")).toMatch(/^\d+\.\d%$/);
   await expect.poll(() => page.locator("covered-views canvas").count()).toBe(5);
   await page.locator("strand-histogram svg").waitFor();
   await expect.poll(() => page.locator("time-line .marks li").count()).toBeGreaterThan(0);
@@ -104,7 +104,7 @@ it("covers a shape, measures it, saves the closed wire, and brings all of it bac
   // Another spacing shows how it would run, and leaves what was made where it is.
   await page.locator("fill-choices #curve_spacing").fill("0.12");
   await planned(page);
-  expect(await verdict(page)).toMatch(/another way now/);
+  await expect.poll(() => verdict(page)).toMatch(/another way now/);
   await page.locator("save-panel").getByText(/of the wire that was made last/).waitFor();
   await page.getByRole("button", { name: /^Undo/ }).click();
   await expect.poll(() => verdict(page)).toBe(said);
@@ -222,7 +222,7 @@ it("does it all by keys", async () => {
     });
   const tabTo = async (what: RegExp) => {
     for (let i = 0; i < 80 && !what.test(await focused()); i++) await page.keyboard.press("Tab");
-    expect(await focused()).toMatch(what);
+    await expect.poll(() => focused()).toMatch(what);
   };
   await idle(page);
   await tabTo(/tab-multiview/);

@@ -26,7 +26,7 @@ it("brings back drawings, settings and the wire after a reload", async () => {
   await page.waitForTimeout(700);
   await page.reload();
   await previewed(page);
-  expect(await inkOn(page, 0)).toBeCloseTo(ink, 3);
+  await expect.poll(() => inkOn(page, 0)).toBeCloseTo(ink, 3);
   await expect.poll(() => points(page)).toBe(found);
   await expect.poll(() => page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
   // The way of the run is there, too.

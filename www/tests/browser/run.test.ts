@@ -50,10 +50,10 @@ it("turns three drawings into one wire: the loss falls, every view matches, a se
   for (const view of ["front", "side", "top"]) {
     expect(parseInt((await page.locator(`[data-view=${view}]`).textContent())!)).toBeGreaterThan(50);
   }
-  expect(await pieces()).toBe("1");
+  await expect.poll(() => pieces()).toBe("1");
   await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/match|ink/);
-  expect(await figure(page, "Bends")).toMatch(/tighter than a hand can bend/);
-  expect(await figure(page, "Strands")).toMatch(/passes through itself in [\d,]+ places?/);
+  await expect.poll(() => figure(page, "Bends")).toMatch(/tighter than a hand can bend/);
+  await expect.poll(() => figure(page, "Strands")).toMatch(/passes through itself in [\d,]+ places?/);
   await inspect(page, "after-run");
   // …and undo brings the example's wire back.
   await button(/^Undo: Make the wire/).click();
@@ -81,7 +81,7 @@ it("pauses, steps one by one, and goes on", async () => {
   await button("Stop").click();
   await idle(page);
   await expect.poll(() => button(/^GLB/).isEnabled()).toBe(true);
-  expect(await pieces()).toBe("1");
+  await expect.poll(() => pieces()).toBe("1");
 });
 
 it("looks back at the wires of a run, and goes on from one of them", async () => {
@@ -92,7 +92,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await range().fill("20");
   await phase(page, "paused");
   await page.getByText(/Looking back at/).waitFor();
-  expect(await looked()).toBeLessThan(30);
+  await expect.poll(() => looked()).toBeLessThan(30);
   await inspect(page, "looking-back");
   await page.getByRole("button", { name: "Go on", exact: true }).click();
   await expect.poll(looked).toBeGreaterThan(30);
@@ -102,7 +102,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await runButton(page).click();
   await phase(page, "running");
   await idle(page);
-  expect(await looked()).toBe(200);
+  await expect.poll(() => looked()).toBe(200);
   const full = await page.locator("[data-view=front]").textContent();
   const marks = await page.locator("time-line .marks li").allTextContents();
   expect(marks.some((mark) => /step 200/i.test(mark))).toBe(true);
@@ -114,7 +114,7 @@ it("looks back at the wires of a run, and goes on from one of them", async () =>
   await phase(page, "running");
   await expect.poll(step).toBeGreaterThanOrEqual(from);
   await idle(page);
-  expect(await looked()).toBe(200);
+  await expect.poll(() => looked()).toBe(200);
   await expect.poll(() => page.locator("[data-view=front]").textContent()).toBe(full);
 });
 
@@ -143,5 +143,5 @@ it("goes on in a hidden tab", async () => {
   await other.bringToFront();
   await idle(page);
   await other.close();
-  expect(await pieces()).toBe("1");
+  await expect.poll(() => pieces()).toBe("1");
 });

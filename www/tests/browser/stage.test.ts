@@ -53,7 +53,7 @@ it("shows no copper where there is no wire", async () => {
   // What lies over the stage has colours of its own.
   await page.getByRole("button", { name: "Close this message" }).click();
   await page.waitForTimeout(1500);
-  expect(await copper(page)).toBe(0);
+  await expect.poll(() => copper(page)).toBe(0);
   await page.context().close();
 });
 
@@ -63,7 +63,7 @@ it("marks places, and takes the marks away", async () => {
   const mark = (places: readonly (readonly number[])[] | null) =>
     page.locator("wire-stage").evaluate((element, places) => (element as unknown as { mark(places: unknown): void }).mark(places), places);
   const marks = async (): Promise<number> => (await colours(page)).marks;
-  expect(await marks()).toBe(0);
+  await expect.poll(() => marks()).toBe(0);
   await mark([[0, 0, 0], [0.3, 0.3, 0.3]]);
   await expect.poll(marks).toBeGreaterThan(0.00005);
   await mark(null);

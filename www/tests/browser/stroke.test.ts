@@ -82,7 +82,7 @@ it("makes a wire of a picture, shows it from all sides, compares it with loose s
   const said = await verdict(page);
   expect(said).toMatch(/^\s*The front (matches well|does not match)/);
   expect(parseInt((await page.locator("[data-view=front]").textContent())!)).toBeGreaterThan(50);
-  expect(await figure(page, "Pieces")).toBe("1");
+  await expect.poll(() => figure(page, "Pieces")).toBe("1");
   await expect.poll(() => drawn(page, "turned-views canvas")).not.toEqual(ofTheExample);
   await allDiffer(page, "turned-views canvas", 6);
 
@@ -107,7 +107,7 @@ it("makes a wire of a picture, shows it from all sides, compares it with loose s
   await comparison(page).scrollIntoViewIfNeeded();
   await shoot(page, "stroke-compared");
   // The wire is on the stage again, and it is what is measured.
-  expect(await verdict(page)).toBe(said);
+  await expect.poll(() => verdict(page)).toBe(said);
   await expect.poll(() => page.locator("time-line .marks li").count()).toBeGreaterThan(0);
 
   await page.waitForTimeout(600);
@@ -116,8 +116,8 @@ it("makes a wire of a picture, shows it from all sides, compares it with loose s
   await comparison(page).locator("table").waitFor();
   await expect.poll(() => job(page, "One picture").getAttribute("aria-selected")).toBe("true");
   await expect.poll(() => pad(page).locator("subject-canvas").getAttribute("name")).toContain("face.png, its object in colour");
-  expect(await verdict(page)).toBe(said);
-  expect(await cells("Pieces")).toEqual([one, many]);
+  await expect.poll(() => verdict(page)).toBe(said);
+  await expect.poll(() => cells("Pieces")).toEqual([one, many]);
   await allDiffer(page, "wire-comparison canvas", 4);
   await allDiffer(page, "turned-views canvas", 6);
   // The other tab was never touched: it has its example.
@@ -244,11 +244,11 @@ it("does it all by keys", async () => {
     });
   const tabTo = async (what: RegExp, key = "Tab") => {
     for (let i = 0; i < 80 && !what.test(await focused()); i++) await page.keyboard.press(key);
-    expect(await focused()).toMatch(what);
+    await expect.poll(() => focused()).toMatch(what);
   };
   await tabTo(/tab-multiview/);
   await page.keyboard.press("ArrowRight");
-  expect(await focused()).toMatch(/tab-stroke/);
+  await expect.poll(() => focused()).toMatch(/tab-stroke/);
   await pad(page).getByRole("button", { name: "Mark", exact: true }).waitFor();
   await page.getByText(/goes on round the back/).waitFor();
   await tabTo(/Use your own/);

@@ -103,7 +103,7 @@ describe("giving a picture", () => {
   it("takes a file, a drop, a paste and a picture of the shelf", async () => {
     await open();
     await giveThings("chosen.png");
-    expect((await subject())?.picture).toMatchObject({ name: "chosen.png", width: 640 });
+    await expect.poll(async () => (await subject())?.picture).toMatchObject({ name: "chosen.png", width: 640 });
     await dropFiles(page, shown(), [{ name: "dropped.png", buffer: await things(300, 400) }]);
     await expect.poll(async () => (await subject())?.picture.name).toBe("dropped.png");
     await button("Clear").click();
@@ -113,8 +113,8 @@ describe("giving a picture", () => {
     await expect.poll(async () => (await subject())?.picture.name).toBe("pasted.png");
     await button("Clear").click();
     await trySample("pear");
-    expect((await subject())?.picture.name).toBe("Pear");
-    expect(await kinds()).toEqual(["give", "give", "clear-subject", "give", "clear-subject", "give"]);
+    await expect.poll(async () => (await subject())?.picture.name).toBe("Pear");
+    await expect.poll(() => kinds()).toEqual(["give", "give", "clear-subject", "give", "clear-subject", "give"]);
   });
 
   it("says what is wrong with a picture, and keeps the one before", async () => {
@@ -122,7 +122,7 @@ describe("giving a picture", () => {
     await trySample("mug");
     await pad().locator("#file").setInputFiles({ name: "broken.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
     await page.getByRole("alert").filter({ hasText: "broken.png" }).waitFor();
-    expect((await subject())?.picture.name).toBe("Mug");
+    await expect.poll(async () => (await subject())?.picture.name).toBe("Mug");
     await inspect(page, "subject-problem");
     await button("Close this message").click();
     await expect.poll(() => page.getByRole("alert").count()).toBe(0);
@@ -153,7 +153,7 @@ describe("giving a picture", () => {
     await shown().click();
     await dropFiles(page, shown(), [{ name: "late.png", buffer: await things() }]);
     await page.waitForTimeout(300);
-    expect(await kinds()).toEqual(before);
+    await expect.poll(() => kinds()).toEqual(before);
   });
 });
 
@@ -172,10 +172,10 @@ describe("the camera", () => {
       };
     });
     const live = () => page.evaluate(() => (window as unknown as { given: MediaStream[] }).given.flatMap((stream) => stream.getTracks().map(({ readyState }) => readyState)));
-    expect(await live()).toEqual([]);
+    await expect.poll(() => live()).toEqual([]);
     await button("Camera").click();
     await expect.poll(() => button("Take").isEnabled()).toBe(true);
-    expect(await live()).toEqual(["live"]);
+    await expect.poll(() => live()).toEqual(["live"]);
     await page.waitForTimeout(500);
     await inspect(page, "camera");
     await button("Other camera").click();
@@ -183,13 +183,13 @@ describe("the camera", () => {
     expect(new Set(await page.evaluate(() => (window as unknown as { given: MediaStream[] }).given.map((stream) => stream.getVideoTracks()[0]!.label))).size).toBe(2);
     await button("Cancel").click();
     await expect.poll(live).toEqual(["ended", "ended"]);
-    expect(await kinds()).toEqual([]);
+    await expect.poll(() => kinds()).toEqual([]);
     expect(await page.evaluate(() => (document.querySelector("subject-pad")!.shadowRoot!.activeElement as HTMLElement).id)).toBe("camera");
     await button("Camera").click();
     await expect.poll(() => button("Take").isEnabled()).toBe(true);
     await button("Take").click();
     await expect.poll(async () => (await subject())?.picture.name).toBe("Photo");
-    expect((await subject())?.picture.width).toBeGreaterThan(200);
+    await expect.poll(async () => (await subject())?.picture.width).toBeGreaterThan(200);
     await expect.poll(live).toEqual(["ended", "ended", "ended"]);
   });
 
@@ -229,7 +229,7 @@ describe("several things in one picture", () => {
     await pad().locator("input[name=object][value='3']").focus();
     await page.keyboard.press("ArrowLeft");
     await expect.poll(async () => (await subject())?.object).toBe(2);
-    expect(await kinds()).toEqual(["give", "choose-object", "choose-object", "choose-object"]);
+    await expect.poll(() => kinds()).toEqual(["give", "choose-object", "choose-object", "choose-object"]);
     await page.mouse.click(box.x + 0.95 * box.width, box.y + 0.55 * box.height);
     await editor().waitFor();
   });
@@ -258,7 +258,7 @@ describe("a box", () => {
     await inspect(page, "subject-box");
     await button("Remove the box").click();
     await expect.poll(() => pad().locator("subject-canvas .box").count()).toBe(0);
-    expect((await subject())?.box).toBeNull();
+    await expect.poll(async () => (await subject())?.box).toBeNull();
     await drag([0.72, 0.32], [0.73, 0.32]);
     await page.mouse.up();
     await expect.poll(kinds).toEqual(["give", "give-box", "give-box", "choose-object"]);
@@ -299,7 +299,7 @@ describe("marks", () => {
     await expect.poll(async () => (await marks()).length).toBe(1);
     await editor().getByRole("button", { name: "Clear marks" }).click();
     await expect.poll(marks).toEqual([]);
-    expect(await kinds()).toEqual(["give", "open-brush", "mark", "mark", "undo", "clear-marks"]);
+    await expect.poll(() => kinds()).toEqual(["give", "open-brush", "mark", "mark", "undo", "clear-marks"]);
   });
 
   it("and a box are made with keys alone, and a box with numbers", async () => {
@@ -371,7 +371,7 @@ describe("the brush", () => {
     await drawStroke(page, large(), [[0.5, 0.3], [0.5, 0.7]]);
     await expect.poll(strokes).toBe(2);
     await expect.poll(() => veiled()).toBeGreaterThan(added + 0.05);
-    expect((await subject())?.strokes.map(({ adds, width }) => [adds, width])).toEqual([[true, 0.06], [false, 0.2]]);
+    await expect.poll(async () => (await subject())?.strokes.map(({ adds, width }) => [adds, width])).toEqual([[true, 0.06], [false, 0.2]]);
     await page.mouse.move(500, 600);
     await inspect(page, "subject-brush");
     await button(/^Undo/).click();
@@ -390,10 +390,10 @@ describe("the brush", () => {
     await pad().locator("#file").setInputFiles({ name: "fog.png", mimeType: "image/png", buffer: blank });
     await page.getByText("Nothing found").waitFor();
     await takeBrush();
-    expect(await veiled()).toBe(0);
+    await expect.poll(() => veiled()).toBe(0);
     await drawStroke(page, large(), [[0.3, 0.5], [0.7, 0.5]]);
     await expect.poll(() => veiled()).toBeGreaterThan(0.8);
-    expect((await subject())?.strokes[0]!.points.map((value) => Math.round(50 * value) / 50)).toEqual([0.3, 0.5, 0.7, 0.5]);
+    await expect.poll(async () => (await subject())?.strokes[0]!.points.map((value) => Math.round(50 * value) / 50)).toEqual([0.3, 0.5, 0.7, 0.5]);
     await inspect(page, "subject-nothing-found");
   });
 
@@ -411,7 +411,7 @@ describe("the brush", () => {
     await page.keyboard.press("Space");
     for (let i = 0; i < 4; i++) await page.keyboard.press("Shift+ArrowRight");
     // Nothing is told before the stroke is done; Escape would take it back, and not close the sheet.
-    expect(await strokes()).toBe(0);
+    await expect.poll(() => strokes()).toBe(0);
     await page.keyboard.press("Space");
     await expect.poll(strokes).toBe(1);
     const [stroke] = (await subject())!.strokes;
@@ -419,11 +419,11 @@ describe("the brush", () => {
     await page.keyboard.press("Space");
     await page.keyboard.press("ArrowUp");
     await page.keyboard.press("Escape");
-    expect(await strokes()).toBe(1);
+    await expect.poll(() => strokes()).toBe(1);
     await inspect(page, "subject-brush-keys");
     await page.keyboard.press("Escape");
     await expect.poll(() => editor().count()).toBe(0);
-    expect(await strokes()).toBe(1);
+    await expect.poll(() => strokes()).toBe(1);
   });
 
   it("is a finger on a phone", async () => {
@@ -466,10 +466,10 @@ it.each([["narrow", { viewport: { width: 1024, height: 700 } }], ["small", { ...
         })
         .map((inner) => inner.textContent!.trim() || inner.tagName);
     });
-  expect(await sticksOut()).toEqual([]);
+  await expect.poll(() => sticksOut()).toEqual([]);
   await inspect(page, `subject-${name}-empty`);
   await giveThings();
-  expect(await sticksOut()).toEqual([]);
+  await expect.poll(() => sticksOut()).toEqual([]);
   await inspect(page, `subject-${name}`);
   await takeBrush();
   await large().waitFor();

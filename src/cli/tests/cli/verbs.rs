@@ -115,6 +115,21 @@ fn a_run_writes_everything_and_every_verb_reads_it() {
         metrics["length"].as_f64().unwrap()
     };
     assert!((length(&wire) - length(&opened)).abs() < 0.02 * length(&wire));
+    // Any file that carries the wire opens, with what it was made of, and stands for it.
+    let drawings = |path: &Path| json(path)["drawings"].as_array().unwrap().clone();
+    assert_eq!(
+        drawings(&wire).iter().map(|drawing| drawing["view"].as_str().unwrap()).collect::<Vec<_>>(),
+        ["front", "side"]
+    );
+    for ending in ["glb", "svg"] {
+        let file = folder.path().join(format!("wire.{ending}"));
+        succeeds(&wire4d(&["open", text(&file), "--out", text(&opened)]));
+        assert_eq!(drawings(&opened), drawings(&wire), "{ending}");
+        assert_eq!(json(&opened)["made_with"], json(&wire)["made_with"], "{ending}");
+        assert_eq!(succeeds(&wire4d(&["share", text(&file)])), code, "{ending}");
+    }
+    refused(&wire4d(&["open", text(&folder.path().join("wire.stl")), "--out", text(&opened)]), "wire.stl");
+    refused(&wire4d(&["open", "missing.png", "--out", text(&opened)]), "missing.png");
     succeeds(&wire4d(&["device"]));
 }
 

@@ -25,6 +25,9 @@ export type Tint = keyof typeof TINTS;
 /** As `#rrggbb`. */
 export type Tints = Readonly<Record<Tint, string>>;
 
+/** As they are where nobody sets them. */
+export const usualTints = (dark: boolean): Tints => Object.fromEntries(Object.entries(TINTS).map(([name, both]) => [name, both[dark ? 1 : 0]])) as Tints;
+
 /** Declarations for a style sheet: `--_NAME`, which the page's `--wire-NAME` goes before. */
 export const tintDeclarations = (): string =>
   Object.entries(TINTS)

@@ -24,6 +24,8 @@ export interface Bench {
   edit(label: string, change: Partial<Doc>, kind?: string): void;
   /** A task's passing state changes. */
   pass<Passing extends object>(task: Pick<TaskState<unknown, Passing>, "name" | "quiet">, change: Partial<Passing>): void;
+  /** Opens a file that carries a wire; false if it is any other file. */
+  opens(file: Blob, name: string): Promise<boolean>;
   warn(problem: string): void;
 }
 

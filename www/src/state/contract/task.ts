@@ -4,7 +4,7 @@
  */
 
 import type { EngineClient } from "../../engine/client";
-import type { ExportArguments, Guide, ViewMeasures } from "../../engine/protocol";
+import type { ExportArguments, Guide, Ink, ViewMeasures } from "../../engine/protocol";
 import type { Made } from "../keeping/document";
 import type { Form } from "../keeping/keep";
 import type { Bench } from "./bench";
@@ -67,6 +67,8 @@ export interface Task<Given = unknown, Passing extends object = object, Takes ex
   readonly form: Form<Given>;
   /** What of it an address can carry. */
   readonly address?: AddressForm<Given>;
+  /** Comes when a file is saved or opened. */
+  packing(): Promise<Packing<Given>>;
   isBlank(given: Given): boolean;
   /** Whether a wire can be made of it and of what guides. `closely` when a run is to begin: at a glance, it is asked at every change. */
   suffices(given: Given, guide: Guide | null, closely?: boolean): boolean;
@@ -78,6 +80,27 @@ export interface Task<Given = unknown, Passing extends object = object, Takes ex
   /** What a wire of a run amounts to, and what to try. */
   verdict(made: Made): string;
   open(bench: Bench): Takes;
+}
+
+/** What is given as files carry it. */
+export interface Packed {
+  readonly drawings: readonly PackedDrawing[];
+  /** Names and words, as in an address. */
+  readonly pairs: Readonly<Record<string, string>>;
+}
+
+export interface PackedDrawing extends Ink {
+  /** The view that it is for, or what else the task calls so. */
+  readonly view: string;
+  /** What a person calls it. */
+  readonly label: string;
+}
+
+/** How what is given goes along in files, and comes back from them. */
+export interface Packing<Given> {
+  pack(given: Given): Promise<Packed>;
+  /** Null where that is nothing to make a wire of. */
+  unpack(packed: Packed): Promise<Given | null>;
 }
 
 /** How an address names what is given: pairs of names and words. */

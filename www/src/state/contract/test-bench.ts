@@ -41,6 +41,7 @@ export function testBench(tasks: readonly TaskState[], engine: object, value: (n
       store.set({ passing: { ...passing, [name]: { ...passing[name], ...changed } } });
     },
     run: (under) => store.set({ run: { ...NO_RUN, phase: under ? "running" : "idle" } }),
+    opens: async () => false,
     warn: (problem) => store.set({ problem }),
   };
 }

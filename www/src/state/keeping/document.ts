@@ -28,6 +28,8 @@ export interface Desk {
 export interface Made {
   readonly finished: Finished;
   readonly source: "example" | "link" | "file" | "run";
+  /** Whether the file that it came from brought what it was made of. */
+  readonly carried?: boolean;
   /** The run it came from; null for a wire from elsewhere. */
   readonly track: Track | null;
   /** Whether the run was stopped before its end. */

@@ -88,15 +88,40 @@ export class Opener {
     return deskOf(this.bench.doc, task).made?.finished.code === code;
   }
 
+  /** Opens a file if it carries a wire; false if it is any other. */
+  async opens(file: Blob, name: string): Promise<boolean> {
+    // What cannot be read, and a page that is not all there, are for others to speak of.
+    const carries = await import("../carrying/recognised").then(({ carriesWire }) => carriesWire(file)).catch(() => false);
+    if (!carries) return false;
+    await this.file(new File([file], name));
+    return true;
+  }
+
+  /** The wire of a file, with its settings and what it was made of: all that it takes to go on from it. */
   async file(file: File): Promise<void> {
-    const { task } = this.bench.doc;
+    const { bench } = this;
     try {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      const finished = await this.bench.engine.call("open", { file: bytes, name: file.name });
-      this.taker(task).awaits?.();
-      this.opened({ finished, source: "file", track: null, stopped: false, seconds: 0 }, this.bench.doc.task, `Open ${file.name}`);
+      const finished = await bench.engine.call("open", { file: bytes, name: file.name });
+      const { carriedIn } = await import("../carrying/wire-file");
+      const { task: of, settings, packed } = await carriedIn(finished.file);
+      const task = this.tasks.find(({ name }) => name === of) ?? this.task(bench.doc.task);
+      const given = packed && (await (await task.packing()).unpack(packed));
+      if (bench.busy) return bench.warn(DURING_A_RUN);
+      const [label, kind] = [`Open ${file.name}`, `open ${performance.now()}`];
+      bench.store.batch(() => {
+        this.choose(task.name);
+        bench.store.set({ ahead: null });
+        const desk = { ...(settings && { settings: this.options.fitting(task.name, settings) }), ...(given !== null && { guide: null }) };
+        bench.edit(label, { ...withDesk(bench.doc, task.name, desk), ...(given !== null && withGiven(bench.doc, task.name, given)) }, kind);
+        this.taker(task.name).awaits?.();
+        const made: Made = { finished, source: "file", carried: given !== null, track: null, stopped: false, seconds: 0 };
+        bench.edit(label, withDesk(bench.doc, task.name, { made, loose: null }), kind);
+      });
+      if (given !== null) this.taker(task.name).complete?.(given);
+      if (finished.notes?.length) bench.warn(finished.notes.map(asSentence).join(" "));
     } catch (error) {
-      this.bench.warn(explain(error, named(file.name)));
+      bench.warn(explain(error, named(file.name)));
     }
   }
 

@@ -18,6 +18,7 @@ export class Receiver {
   /** Pictures to where the task wants them, a mesh to a task that takes it, a wire onto the stage. `folders` names what is no file. */
   async files(files: readonly File[], folders: readonly string[] = []): Promise<void> {
     if (this.bench.busy || files.length === 0) return;
+    if (await this.opens(files)) return;
     const { takes } = this.task;
     const { meshes, pictures, wire, note } = sortFiles(files, folders, takes.pictures, takes.meshes);
     this.bench.warn(note);
@@ -25,6 +26,13 @@ export class Receiver {
     const elsewhere = meshes.length && !takes.meshes ? this.tasks.find(({ takes }) => takes.meshes) : undefined;
     if (elsewhere) this.opener.turnTo(elsewhere.name);
     await this.taker(this.bench.doc.task).take({ meshes, pictures: elsewhere ? [] : pictures });
+  }
+
+  /** Pictures and models that carry a wire, where there is nothing else: one wire at a time. */
+  private async opens([first, ...more]: readonly File[]): Promise<boolean> {
+    if (/\.json$/i.test(first!.name) || !(await this.opener.opens(first!, first!.name))) return false;
+    if (more.length) this.bench.warn(`One wire at a time: ${first!.name} was opened.`);
+    return true;
   }
 
   /** A link is opened, for any other text there is a better place. */

@@ -6,6 +6,7 @@ import { writeFragment } from "../address/fragment";
 import { forOthers } from "../address/renderer";
 import { explain } from "../common/words";
 import type { Bench } from "../contract/bench";
+import { showsExample } from "../contract/state";
 import type { Taker, Task } from "../contract/task";
 import { deskOf, type Made } from "../keeping/document";
 
@@ -31,7 +32,7 @@ export class Saver {
     const { made } = this;
     if (!made) return null;
     try {
-      const how = { file: made.finished.file, format, view };
+      const how = { file: await this.packed(made), format, view };
       const seen = format.endsWith("svg") ? this.here.exportSeen?.(made, how) : null;
       const bytes = await (seen ?? this.bench.engine.call("export", how));
       return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: MIME[format] });
@@ -39,6 +40,32 @@ export class Saver {
       this.bench.warn(explain(error, "The file"));
       return null;
     }
+  }
+
+  /** A PNG picture of the wire, which opens again; as it is, where that does not work out. */
+  async carrying(picture: Blob): Promise<Blob> {
+    const { made } = this;
+    if (!made) return picture;
+    try {
+      const file = await this.packed(made);
+      const bytes = await this.bench.engine.call("carry", { picture: new Uint8Array(await picture.arrayBuffer()), file });
+      return new Blob([bytes], { type: "image/png" });
+    } catch (error) {
+      console.error(error);
+      return picture;
+    }
+  }
+
+  /** The wire.json with what the wire was made of, as far as that is known. */
+  private async packed(made: Made): Promise<Uint8Array<ArrayBuffer>> {
+    const { file } = made.finished;
+    const { doc, store } = this.bench;
+    const asExample = showsExample(store.get()) ? doc.given[doc.task] : null;
+    const given = made.track ? made.track.given : (asExample ?? null);
+    const { isPacked, packedInto } = await import("../carrying/wire-file");
+    if (given === null || isPacked(file)) return file;
+    const task = this.tasks.find(({ name }) => name === doc.task)!;
+    return packedInto(file, await (await task.packing()).pack(given));
   }
 
   /** A link that carries the whole wire and the settings. */

@@ -66,6 +66,12 @@ export class Options implements Settings {
     if (tables) this.learn(tables);
   }
 
+  /** What of the settings of another program's run can be had here; where it is computed is this machine's own. */
+  fitting(task: string, { backend: _elsewhere, ...settings }: SettingValues): SettingValues {
+    const table = this.bench.store.get().tables?.[task];
+    return table ? known(settings, table) : settings;
+  }
+
   /** What an address says is to guide; it waits for nothing. */
   askGuide(task: string, pairs: SettingValues): void {
     const { project } = this.bench;

@@ -7,7 +7,12 @@ export function known(settings: SettingValues, table: SettingsTable): SettingVal
   const valid = Object.entries(settings).filter(([name, value]) => problemWith(name, value, table) === null);
   const preset = presetOf(Object.fromEntries(valid), table);
   const usual: SettingValues = { ...preset, preset: DEFAULT_PRESET, smooth: table.presets[preset["preset"] ?? DEFAULT_PRESET]?.["smooth"] ?? "" };
-  return Object.fromEntries(valid.filter(([name, value]) => value !== usual[name]));
+  return Object.fromEntries(valid.filter(([name, value]) => !isSame(value, usual[name])));
+}
+
+/** Programs write one number in several ways. */
+function isSame(value: string, other = ""): boolean {
+  return value === other || (value !== "" && other !== "" && Number(value) === Number(other));
 }
 
 export const DEFAULT_PRESET = "best";

@@ -89,6 +89,7 @@ export class CoverTaker implements Taker<Cover | null> {
   /** A mesh from a file. A bad one leaves what was there. */
   async open(file: Blob, name: string): Promise<void> {
     await this.attempt("mesh", name, async () => {
+      if (await this.bench.opens(file, name)) return { take: () => undefined };
       if (file.size === 0) throw new Problem(`${name} is empty. Choose another mesh.`);
       if (file.size > MOST_FILE_BYTES) {
         throw new Problem(`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a mesh of at most ${MOST_FILE_BYTES / 1e6} MB, or thin it out first.`);
@@ -116,6 +117,7 @@ export class CoverTaker implements Taker<Cover | null> {
   /** A picture whose look the wire takes on. */
   async picture(file: Blob, name: string): Promise<void> {
     await this.attempt("style", name, async () => {
+      if (await this.bench.opens(file, name)) return { take: () => undefined };
       if (!this.cover) throw new Problem(`A style needs a shape. Choose one, then give ${name} again.`);
       const { note, ...pixels } = await readPicture(file, name);
       return { note, take: () => this.wear({ ...kept(pixels, name), key: crypto.randomUUID() }, `Take the style of ${name}`) };

@@ -18,7 +18,8 @@ export function verdict(made: Made): string {
   const { measures } = made.finished;
   const { surface } = measures;
   const apart = measures.components > 1 ? `The wire is in ${measures.components} pieces.` : "";
-  if (!surface) return apart || "One closed wire. Its shape is not with it, so there is nothing to measure it by.";
+  const why = made.carried ? "It is measured when it is made again." : "Its shape is not with it, so there is nothing to measure it by.";
+  if (!surface) return apart || `One closed wire. ${why}`;
   const worst = worldLength(surface.worst * surface.spacing);
   const sentences = [
     `${apart || "The wire is one closed loop."} No spot is farther from it than ${worst} of the shape’s size.`,

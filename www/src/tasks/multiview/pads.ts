@@ -56,6 +56,7 @@ export class Pads implements Taker<Papers> {
   /** Puts a file into a pad. A bad one leaves what was there. */
   async give(slot: Slot, file: Blob, name: string): Promise<void> {
     this.show(slot, { ...QUIET, busy: true });
+    if (await this.bench.opens(file, name)) return this.show(slot, QUIET);
     try {
       const { note, ...pixels } = await readPicture(file, name);
       const picture = kept(pixels, name);

@@ -74,5 +74,6 @@ describe("a verdict", () => {
 
   it("has nothing to compare in a wire from a link", () => {
     expect(verdict(made([view("front", [null])]))).toBe("One piece of wire. Its drawings are not with it, so there is nothing to compare.");
+    expect(verdict({ ...made([view("front", [null])]), carried: true })).toBe("One piece of wire. It is compared with its drawings when it is made again.");
   });
 });

@@ -36,6 +36,7 @@ export class SubjectTaker implements Taker<Subject | null> {
   /** A picture, and the object the app finds in it. A bad one leaves what was there. */
   async give(file: Blob, name: string): Promise<void> {
     await this.attempt(name, async () => {
+      if (await this.bench.opens(file, name)) return;
       const { note, ...pixels } = await readPicture(file, name);
       const picture = kept(pixels, name);
       const subject: Subject = { picture, object: 1, strokes: [], found: null, depth: await this.guessDepth(picture) };
@@ -109,7 +110,7 @@ export class SubjectTaker implements Taker<Subject | null> {
     if (this.subject) this.edit("Take the picture away", null);
   }
 
-  /** The object of an example's picture, for showing: it needs the core. */
+  /** The object of a picture that came without, for showing: it needs the core. */
   complete(subject: Subject | null): void {
     if (subject) void this.findIn(subject);
   }
@@ -131,7 +132,8 @@ export class SubjectTaker implements Taker<Subject | null> {
     if (!found || this.bench.busy) return;
     const shown = { ...subject, found };
     project.amend((doc) => (doc.given[name] === subject ? { ...doc, ...withGiven(doc, name, shown) } : doc));
-    store.set({ examples: { ...store.get().examples, [name]: shown } });
+    const { examples } = store.get();
+    if (examples[name] === subject) store.set({ examples: { ...examples, [name]: shown } });
   }
 
   /** As a network says, where one is open; a picture is fine without. */

@@ -106,7 +106,7 @@ export class WireApp extends LitElement {
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
-            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${() => this.stage.picture(2400, 1800)} .film=${() => void this.film()}></save-panel>
+            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
             <settings-panel
@@ -319,7 +319,17 @@ export class WireApp extends LitElement {
     if (!made) return;
     const [{ openFilms }, { isDark }] = await Promise.all([import("../film/open-films"), import("../shared/theme")]);
     const body = this.parts[this.task.name]?.body?.(this.now) ?? null;
-    await openFilms({ made, body, through: this.through, ...this.look, dark: isDark(), views: this.task.stage.views, seen: this.stage.getState(), save: (blob, ending) => this.saving.keep(blob, ending) });
+    await openFilms({
+      made,
+      body,
+      through: this.through,
+      ...this.look,
+      dark: isDark(),
+      views: this.task.stage.views,
+      seen: this.stage.getState(),
+      save: (blob, ending) => this.saving.keep(blob, ending),
+      carrying: (picture) => this.studio.saver.carrying(picture),
+    });
   }
 
   /** Help is loaded when it is first wanted. */

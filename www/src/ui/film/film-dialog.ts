@@ -50,11 +50,12 @@ interface Choices {
   readonly asGif: boolean;
 }
 
-/** Pictures and films to post. `save` is handed each with the end of its file's name, and answers with the whole of it. */
+/** Pictures and films to post. `carrying` puts the wire into a picture, `save` is handed each with the end of its file's name, and answers with the whole of it. */
 @customElement("film-dialog")
 export class FilmDialog extends LitElement {
   @property({ attribute: false }) scenery!: Scenery;
   @property({ attribute: false }) save!: (made: Blob, ending: string) => string;
+  @property({ attribute: false }) carrying!: (picture: Blob) => Promise<Blob>;
   @state() private kind: Kind = "picture";
   @state() private shape: Shape = "square";
   @state() private custom: Size = { width: 1600, height: 1200 };
@@ -250,7 +251,7 @@ export class FilmDialog extends LitElement {
     const { kind, choice, madeSize: size } = this;
     Object.assign(this, { busy: true, progress: null, said: "", problem: "" });
     try {
-      const made = kind === "picture" || !choice ? await this.filmer.still({ ...this.still, size }) : await this.filmer.film({ film: kind, size, choice }, (progress) => (this.progress = progress));
+      const made = kind === "picture" || !choice ? await this.carrying(await this.filmer.still({ ...this.still, size })) : await this.filmer.film({ film: kind, size, choice }, (progress) => (this.progress = progress));
       const name = this.save(made, `${KINDS[kind].ending}.${kind === "picture" || !choice ? "png" : choice.format}`);
       this.said = `Saved ${name}, ${sizeWords(made.size)}`;
     } catch (error) {

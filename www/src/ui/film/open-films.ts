@@ -21,13 +21,15 @@ export interface FilmWishes {
   readonly seen: Pick<SculptureState, "view" | "camera">;
   /** Takes a file and the end of its name, and answers with the whole name. */
   readonly save: (made: Blob, ending: string) => string;
+  /** Puts the wire into a PNG picture of it. */
+  readonly carrying: (picture: Blob) => Promise<Blob>;
 }
 
-export async function openFilms({ made, views, save, seen, ...scenery }: FilmWishes): Promise<void> {
+export async function openFilms({ made, views, save, carrying, seen, ...scenery }: FilmWishes): Promise<void> {
   const dialog = document.body.appendChild(new FilmDialog());
   const names = Object.keys(views) as ViewName[];
   dialog.scenery = { ...scenery, wire: made.finished.wire, way: wayOf(made), views: names, view: names.find((name) => name === seen.view) ?? null, pose: poseOf(seen.camera) };
-  dialog.save = save;
+  Object.assign(dialog, { save, carrying });
   await dialog.updateComplete;
   dialog.show();
 }

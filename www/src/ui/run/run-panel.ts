@@ -64,9 +64,16 @@ export class RunPanel extends Part {
     const example = showsExample(this.state);
     const { icon, instead, again } = page.own;
     return html`
-      <button class="primary" @click=${() => this.studio.act(run)}>${icons.run} ${example && !planned && !restyled ? "Make it again" : page.run}</button>
+      <button class="primary" @click=${() => this.studio.act(run)}>${icons.run} ${this.remixes ? "Remix" : example && !planned && !restyled ? "Make it again" : page.run}</button>
       <button class="wide" @click=${() => this.dispatchEvent(new Event("own"))}>${icons[icon]} ${example || (isBlank(doc.given[doc.task]) && !deskOf(doc).guide) ? instead : again}</button>
     `;
+  }
+
+  /** Whether the wire came with what it was made of, and a run goes on from that. */
+  private get remixes(): boolean {
+    const { doc } = this.state;
+    const { made, guide } = deskOf(doc);
+    return made?.carried === true && this.task.suffices(doc.given[doc.task], guide);
   }
 
   private going(): TemplateResult {
@@ -98,6 +105,7 @@ export class RunPanel extends Part {
     const { said, doc } = this.state;
     if (said) return said;
     if (showsExample(this.state)) return "An example. Nothing leaves this device.";
+    if (this.remixes) return "Opened with what it was made of. Remix makes it again from that.";
     const { suffices, words } = this.task;
     if (!suffices(doc.given[doc.task], deskOf(doc).guide)) return words.needs;
     return "Ready. Nothing leaves this device.";

@@ -19,7 +19,7 @@ export interface Asked {
 
 /** @throws where the element's module cannot be had. */
 export async function webPage({ saver, code, title, description, view }: Asked): Promise<Blob> {
-  const [module, svg, replay] = await Promise.all([moduleText(), text(saver.export("svg", view)), replayOf(saver)]);
+  const [module, svg, replay] = await Promise.all([moduleText(), bare(text(saver.export("svg", view))), replayOf(saver)]);
   const nonce = btoa(String.fromCharCode(...crypto.getRandomValues(new Uint8Array(18))));
   const html = (svg: string, replay: string): Blob => {
     const attributes: Attributes = [...wire(code, replay), ["alt", description], ["camera-controls", true], ["shadow", true], ["views", true]];
@@ -46,5 +46,8 @@ async function replayOf(saver: Saver): Promise<string> {
   const { replay } = JSON.parse((await text(saver.export("wire.json"))) || "{}") as { replay?: unknown };
   return typeof replay === "string" ? replay : "";
 }
+
+/** The page has the wire already. */
+const bare = async (svg: Promise<string>): Promise<string> => (await svg).replace(/<metadata id="wire4d">[^<]*<\/metadata>\n?/, "");
 
 const text = async (blob: Promise<Blob | null>): Promise<string> => (await (await blob)?.text()) ?? "";

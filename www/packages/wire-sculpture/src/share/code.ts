@@ -8,8 +8,9 @@ import type { View } from "../view";
 import { crc32, fromBase64 } from "./base64";
 import { isView, wireProblem } from "./check";
 import { codesIn, type Found } from "./pasted";
-import { Nonsense, readContents, type KnotCode } from "./contents";
-import { RangeDecoder } from "./range";
+import { readContents } from "./contents";
+import { knotsFrom, pointsFrom } from "./knots";
+import { Nonsense, RangeDecoder } from "./range";
 
 export interface Opened {
   readonly wire: WireShape;
@@ -24,9 +25,11 @@ export class ShareCodeError extends Error {
   override readonly name = "ShareCodeError";
 }
 
-const VERSION = 1;
-/** No wire needs more; longer texts are refused unread. */
-const MAX_CODE_CHARACTERS = 1 << 20;
+const VERSION = 2;
+/** Longer texts are refused unread: much may stand round a link. */
+const MAX_TEXT_CHARACTERS = 1 << 20;
+/** 64 kB; a wire of 20,000 control points needs less. */
+const MAX_CODE_CHARACTERS = Math.floor((65_536 * 4) / 3) + 2;
 
 /**
  * The wire of a share code.
@@ -41,13 +44,13 @@ export function openShareCode(code: string): Opened {
   if (version > VERSION) {
     throw new ShareCodeError(`This link was made by a newer Wire4D (version ${version}, this page reads ${VERSION}); reload the page to get it.`);
   }
-  if (version !== VERSION) throw damaged();
-  return unpack(body.subarray(1));
+  if (version === 0) throw damaged();
+  return unpack(body.subarray(1), version);
 }
 
 /** The code in a pasted text, with what stands round it; null where nothing is like one. A whole one, if there is one. */
 export function codeIn(text: string): (Found & { readonly whole: boolean }) | null {
-  if (text.length > MAX_CODE_CHARACTERS) return null;
+  if (text.length > MAX_TEXT_CHARACTERS) return null;
   const found = codesIn(text);
   const whole = found.find(({ code }) => bodyOf(code));
   const best = whole ?? found[0];
@@ -56,17 +59,16 @@ export function codeIn(text: string): (Found & { readonly whole: boolean }) | nu
 
 /** What is in a code, if its checksum is right. */
 function bodyOf(code: string): Uint8Array | null {
-  const bytes = fromBase64(code);
+  const bytes = code.length > MAX_CODE_CHARACTERS ? null : fromBase64(code);
   if (!bytes || bytes.length < 5) return null;
   const body = bytes.subarray(0, -4);
   return crc32(body) === new DataView(bytes.buffer).getUint32(body.length, true) ? body : null;
 }
 
-function unpack(packed: Uint8Array): Opened {
+function unpack(packed: Uint8Array, version: number): Opened {
   try {
-    const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed));
-    const controlPoints = new Float64Array(points.length);
-    for (let at = 0; at < points.length; at++) controlPoints[at] = points[at]! * steps[at % 4 === 3 ? 1 : 0];
+    const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed), version);
+    const controlPoints = pointsFrom(points, steps);
     const knots = knotsFrom(code, closed);
     const problem = wireProblem(form, closed, knots, controlPoints);
     if (problem) throw new ShareCodeError(`This link holds no valid wire (${problem}); ask for a new link.`);
@@ -78,23 +80,3 @@ function unpack(packed: Uint8Array): Opened {
 }
 
 const damaged = (): ShareCodeError => new ShareCodeError("This link is damaged or incomplete; copy the whole code or link again.");
-
-/** Clamped where the wire is open; periodic, to the last bit, where it is closed. */
-function knotsFrom({ start, longest, perOctave, intervals }: KnotCode, closed: boolean): Float64Array {
-  const count = intervals.length;
-  const knots = new Float64Array(count + 7);
-  let sum = 0;
-  knots.fill(start, 0, 4);
-  intervals.forEach((interval, k) => {
-    if (interval > 0) sum += longest * 2 ** (-(interval - 1) / perOctave);
-    knots[k + 4] = start + sum;
-  });
-  const end = knots[count + 3]!;
-  knots.fill(end, count + 4);
-  if (closed && count >= 3) {
-    const period = end - start;
-    for (let i = 0; i < 3; i++) knots[i] = knots[i + count] === end ? start : knots[i + count]! - period;
-    for (let i = 4; i < 7; i++) knots[i + count] = knots[i] === start ? end : knots[i]! + period;
-  }
-  return knots;
-}

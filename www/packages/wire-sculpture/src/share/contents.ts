@@ -2,10 +2,9 @@
 
 import type { View } from "../view";
 import { MAX_CONTROL_POINTS, type Form } from "./check";
-import { numberModels, Models, type RangeDecoder } from "./range";
-
-/** The code says something no wire has. */
-export class Nonsense extends Error {}
+import { clamp, MAX_NUMBER } from "./guess";
+import { Models, Nonsense, numberModels, type RangeDecoder } from "./range";
+import { readPoints } from "./series";
 
 export interface Contents {
   readonly form: Form;
@@ -28,11 +27,13 @@ export interface KnotCode {
   readonly intervals: Int32Array;
 }
 
-const FORMS = ["spline", "chain", "bag"] as const;
+export const FORMS = ["spline", "chain", "bag"] as const;
 const MAX_VIEWS = 64;
 const MAX_NAME_BYTES = 256;
-/** Numbers stay within this, whatever a damaged code says. */
-const MAX_NUMBER = 2 ** 27;
+/** What a task is mostly called; any other name is spelled. */
+const TASKS = ["multiview", "stroke", "fill"] as const;
+/** Low bits of a step that are 0 in version 2. */
+export const STEP_ZEROS = 19;
 
 /** How a column's next value is guessed from the three before: nothing, the last, half or all the way on a line, a parabola. */
 const PREDICTORS: readonly ((a: number, b: number, c: number) => number)[] = [
@@ -52,18 +53,35 @@ const CANONICAL: readonly Pick<View, "name" | "eye" | "target" | "up">[] = [
 ];
 
 /** @throws Nonsense */
-export function readContents(coder: RangeDecoder): Contents {
+export function readContents(coder: RangeDecoder, version: number): Contents {
   const form = FORMS[coder.bits(2)];
   if (!form) throw new Nonsense();
   const closed = coder.flag();
   const count = atMost(MAX_CONTROL_POINTS, coder.whole());
-  const steps = [float32(coder), float32(coder)] as const;
+  const zeros = version === 1 ? 0 : STEP_ZEROS;
+  const steps = [float32(coder, zeros), float32(coder, zeros)] as const;
   const points = new Int32Array(4 * count);
-  readColumns(coder, points, 0, 3);
-  readColumns(coder, points, 3, 4);
-  const knots = readKnots(coder, closed ? count : Math.max(0, count - 3));
-  const views = Array.from({ length: atMost(MAX_VIEWS, coder.whole()) }, () => readView(coder));
-  return { form, closed, steps, points, knots, views, task: text(coder), seed: coder.whole() };
+  const intervals = closed ? count : Math.max(0, count - 3);
+  let knots: KnotCode;
+  if (version === 1) {
+    readColumns(coder, points, 0, 3);
+    readColumns(coder, points, 3, 4);
+    knots = readKnots(coder, intervals);
+  } else {
+    readPoints(coder, points);
+    knots = readMostlyUniformKnots(coder, intervals);
+  }
+  const views: View[] = [];
+  for (let left = atMost(MAX_VIEWS, coder.whole()); left > 0; left--) {
+    views.push(readView(coder, version === 1 ? null : (views.at(-1) ?? USUAL_LENS)));
+  }
+  const task = (version === 1 ? undefined : TASKS[coder.bits(2)]) ?? text(coder);
+  return { form, closed, steps, points, knots, views, task, seed: coder.whole() };
+}
+
+/** One bit says whether they are what most wires have. */
+export function readMostlyUniformKnots(coder: RangeDecoder, count: number): KnotCode {
+  return coder.flag() ? { start: 0, longest: 1, perOctave: 1, intervals: new Int32Array(count).fill(1) } : readKnots(coder, count);
 }
 
 /** Columns of the control points with one shared choice of predictor. */
@@ -74,7 +92,7 @@ function readColumns(coder: RangeDecoder, points: Int32Array, from: number, to: 
   for (let at = 0; at < points.length; at += 4) {
     for (let c = at + from; c < at + to; c++) {
       const guess = predict(points[c - 4] ?? 0, points[c - 8] ?? 0, points[c - 12] ?? 0);
-      points[c] = Math.max(-MAX_NUMBER, Math.min(MAX_NUMBER, guess + coder.number(models)));
+      points[c] = clamp(guess + coder.number(models));
     }
     if (coder.exhausted) throw new Nonsense();
   }
@@ -96,17 +114,31 @@ function readKnots(coder: RangeDecoder, count: number): KnotCode {
   return { start, longest, perOctave, intervals };
 }
 
-function readView(coder: RangeDecoder): View {
+type Lens = Pick<View, "projection" | "height_world" | "fov_y_rad" | "width_px" | "height_px">;
+
+/** What most first views have. */
+const USUAL_LENS: Lens = { projection: "orthographic", height_world: 2.2, width_px: 256, height_px: 256 };
+
+/** From version 2 on a view's size and lens may be as those of the one before. */
+function readView(coder: RangeDecoder, before: Lens | null): View {
+  const lens = before && coder.flag() ? lensOf(before) : readLens(coder);
+  const known = CANONICAL[coder.bits(2)];
+  const place = known ?? { name: text(coder), eye: vector(coder), target: vector(coder), up: vector(coder) };
+  return { ...place, ...lens };
+}
+
+function lensOf({ projection, height_world, fov_y_rad, width_px, height_px }: Lens): Lens {
+  return projection === "perspective" ? { projection, fov_y_rad: fov_y_rad!, width_px, height_px } : { projection, height_world: height_world!, width_px, height_px };
+}
+
+function readLens(coder: RangeDecoder): Lens {
   const width_px = Number(coder.whole());
   const height_px = coder.flag() ? width_px : Number(coder.whole());
   const perspective = coder.flag();
   const extent = float(coder);
-  const lens = perspective
-    ? ({ projection: "perspective", fov_y_rad: extent } as const)
-    : ({ projection: "orthographic", height_world: extent } as const);
-  const known = CANONICAL[coder.bits(2)];
-  const place = known ?? { name: text(coder), eye: vector(coder), target: vector(coder), up: vector(coder) };
-  return { ...place, ...lens, width_px, height_px };
+  return perspective
+    ? { projection: "perspective", fov_y_rad: extent, width_px, height_px }
+    : { projection: "orthographic", height_world: extent, width_px, height_px };
 }
 
 function vector(coder: RangeDecoder): [number, number, number] {
@@ -115,8 +147,8 @@ function vector(coder: RangeDecoder): [number, number, number] {
 
 const scratch = new DataView(new ArrayBuffer(8));
 
-function float32(coder: RangeDecoder): number {
-  scratch.setUint32(0, coder.bits(32));
+export function float32(coder: RangeDecoder, zeros = 0): number {
+  scratch.setUint32(0, coder.bits(32 - zeros) * 2 ** zeros);
   return scratch.getFloat32(0);
 }
 
@@ -137,7 +169,7 @@ function text(coder: RangeDecoder): string {
   }
 }
 
-function atMost(most: number, count: bigint): number {
+export function atMost(most: number, count: bigint): number {
   if (count > most) throw new Nonsense();
   return Number(count);
 }

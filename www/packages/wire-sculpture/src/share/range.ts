@@ -3,6 +3,9 @@
  * and 32-bit arithmetic done in doubles, which hold every product of it exactly.
  */
 
+/** The code says something no wire has. */
+export class Nonsense extends Error {}
+
 /** A model never moves by less than about 1 in this many. */
 const SLOWEST = 40;
 const LEAST_RANGE = 2 ** 24;
@@ -37,7 +40,7 @@ export class RangeDecoder {
   bit(models: Models, index: number): boolean {
     const one = models.one[index]!;
     const seen = models.seen[index]!;
-    const bit = this.below(Math.max(24, Math.min(4096 - 24, one >> 4)));
+    const bit = this.split(Math.max(24, Math.min(4096 - 24, one >> 4)), 12);
     const step = ((((bit ? 65_535 : 0) - one) * 2) / (2 * seen + 3)) | 0;
     models.one[index] = Math.max(0, Math.min(65_535, one + step));
     models.seen[index] = Math.min(SLOWEST, seen + 1);
@@ -46,7 +49,7 @@ export class RangeDecoder {
 
   /** A bit as likely as not. */
   flag(): boolean {
-    return this.below(2048);
+    return this.split(2048, 12);
   }
 
   /** `count` bits, all as likely as not; at most 53. */
@@ -84,8 +87,9 @@ export class RangeDecoder {
     return this.next > this.bytes.length + 64;
   }
 
-  private below(probability: number): boolean {
-    const bound = (this.range >>> 12) * probability;
+  /** A bit that is 1 with a probability of `one` in 2^`precision`. */
+  split(one: number, precision: number): boolean {
+    const bound = (this.range >>> precision) * one;
     const bit = this.code < bound;
     if (bit) {
       this.range = bound;

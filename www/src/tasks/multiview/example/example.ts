@@ -16,7 +16,7 @@ import measured from "./views.json";
 import codeUrl from "./wire.code?url";
 import { SLOTS, type Papers, type Slot } from "../given";
 
-/** `tests/drawings/t01-animals`, each already on its sheet; WebP without loss, which is smaller than PNG. */
+/** `tests/drawings/t01-animals`, each already on its sheet, in eight shades; WebP without loss, which is smaller than PNG. */
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
   front: { url: front, label: "Cat" },
   side: { url: side, label: "Bird" },
