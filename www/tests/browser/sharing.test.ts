@@ -27,7 +27,7 @@ const exampleCode = (await readFile(join(ROOT, "www/src/tasks/multiview/example/
 
 /** Opens the dialog of the wire on the stage. */
 async function share(page: Page): Promise<void> {
-  const more = page.locator("save-panel").getByRole("button", { name: /^\s*QR, embed/ });
+  const more = page.locator("save-panel .more");
   await more.waitFor({ state: "attached" });
   await openPart(page, "Share");
   await more.click();
@@ -128,7 +128,7 @@ describe("embedding", () => {
   const chosen = (name: string) => visited.page.locator("embed-panel").getByLabel(name, { exact: true });
   async function snippet(kind: string): Promise<string> {
     await chosen(kind).check({ force: true });
-    await visited.page.getByRole("button", { name: "Copy snippet" }).click();
+    await visited.page.locator("embed-panel .primary").click();
     await expect.poll(() => visited.page.locator("embed-panel").getByRole("button", { name: "Copied" }).count()).toBe(1);
     return clipboard(visited.page);
   }
@@ -294,6 +294,8 @@ describe("the documentation", () => {
     await expect.poll(() => shownWires(page)).toBeGreaterThan(0);
     for (const colorScheme of COLOURS) {
       await page.emulateMedia({ colorScheme });
+      // The element draws beside the page.
+      await page.waitForTimeout(500);
       await shoot(page, `docs-${viewport.width}-${colorScheme}`);
       await fits(page);
       expect(await axeFaults(page)).toEqual([]);

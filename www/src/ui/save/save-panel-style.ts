@@ -22,6 +22,7 @@ export const savePanelStyle = css`
   }
   .links button {
     min-height: 44px;
+    white-space: nowrap;
   }
   .link {
     font-weight: 600;

@@ -56,7 +56,7 @@ export class SavePanel extends Part {
       <h2>Save and share</h2>
       <div class="links">
         <button class="link" ?disabled=${none} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
-        <button class="more" ?disabled=${none} @click=${() => void this.share()}>${icons.share} QR, embed…</button>
+        <button class="more" ?disabled=${none} @click=${() => void this.share()}>QR, embed…</button>
       </div>
       ${this.byHand
         ? html`<label class="small quiet" for="link">Copy it from here:</label><input id="link" type="text" readonly .value=${this.byHand} />`

@@ -126,7 +126,7 @@ export class ShareDialog extends LitElement {
         value: this.simplify ? "simple" : "whole",
         choose: (value) => (this.simplify = value === "simple"),
       })}
-      <p class="small quiet">Simplified, its lines move by ${px(simple.meanPx)} on average and by ${px(simple.maxPx)} at most, seen 512 px wide.</p>
+      <p class="small quiet">Simplified, its lines move by ${px(simple.mean_px)} on average and by ${px(simple.most_px)} at most, seen 512 px wide.</p>
     </div>`;
   }
 
