@@ -32,6 +32,9 @@ async function size(dialog: Locator, width: number, height: number): Promise<voi
 
 const words = (dialog: Locator) => expect.poll(() => dialog.getByRole("status").textContent());
 
+/** How far a film is. */
+const course = async (dialog: Locator): Promise<string> => (await dialog.locator("#course").allTextContents()).join();
+
 /** A film of few frames, by the dialog's own filmer: base64. */
 function short(dialog: Locator, film: "turntable" | "found", format: "best" | "gif", frames: number): Promise<string> {
   return dialog.evaluate(
@@ -163,7 +166,7 @@ describe("of the example", async () => {
   it("none where somebody cancels, and another one then", async () => {
     await pick(dialog, "square");
     await dialog.getByRole("button", { name: "Make the film" }).click();
-    await words(dialog).toMatch(/^Frame \d+ of 180, about/);
+    await expect.poll(() => course(dialog)).toMatch(/^Frame \d+ of 180, about/);
     await inspect(page, "film-being-made");
     let saved = false;
     page.once("download", () => (saved = true));
@@ -173,7 +176,7 @@ describe("of the example", async () => {
     expect(await dialog.evaluate((element) => element.shadowRoot!.activeElement?.id)).toBe("make");
     // Escape does the same, and closes only when nothing is being made.
     await page.keyboard.press("Enter");
-    await words(dialog).toMatch(/^Frame/);
+    await expect.poll(() => course(dialog)).toMatch(/^Frame/);
     await page.keyboard.press("Escape");
     await words(dialog).toBe("Cancelled. Nothing was saved.");
     await page.keyboard.press("Escape");

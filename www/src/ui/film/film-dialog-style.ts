@@ -67,13 +67,16 @@ export const filmDialogStyle = css`
     grid-template-columns: minmax(0, 1fr) auto;
     align-items: center;
     gap: 8px 16px;
-    min-height: 72px;
-    padding: 16px 24px;
+    min-height: 84px;
+    padding: 12px 24px;
     border-block-start: 1px solid var(--line);
     background: var(--raised);
   }
+  #course {
+    min-height: 20px;
+  }
   footer .bar {
-    margin-block-start: 8px;
+    margin-block-start: 4px;
   }
   .problem {
     color: var(--error);

@@ -105,7 +105,7 @@ export class FilmDialog extends LitElement {
       <footer>
         <div>
           <p class="small ${this.problem ? "problem" : "quiet"}" role="status">${this.problem || this.said || this.summary}</p>
-          ${busy ? html`<div class="bar"><i></i></div>` : nothing}
+          ${busy ? this.course() : nothing}
         </div>
         ${busy && kind !== "picture"
           ? html`<button id="cancel" @click=${() => this.filmer.giveUp()}>${icons.stop} Cancel</button>`
@@ -184,11 +184,19 @@ export class FilmDialog extends LitElement {
     return kind === "picture" ? { ...this.still, size } : { film: kind, size };
   }
 
+  /** How far it is: not for those who listen to be told at every frame. */
+  private course() {
+    const { progress } = this;
+    const { done = 0, frames = 1, msLeft = 0 } = progress ?? {};
+    const words = progress ? `Frame ${done} of ${frames}, ${timeLeft(Math.ceil(msLeft / 1000))}` : "";
+    return html`<p id="course" class="small quiet">${words}</p>
+      <div class="bar" role="progressbar" aria-labelledby="course" aria-valuenow=${Math.round((100 * done) / frames)}><i></i></div>`;
+  }
+
   /** What is being made, or would be. */
   private get summary(): string {
-    const { kind, progress, choice } = this;
-    if (this.busy && kind === "picture") return "Drawing the picture.";
-    if (this.busy) return progress ? `Frame ${progress.done} of ${progress.frames}, ${timeLeft(Math.ceil(progress.msLeft / 1000))}` : "Getting ready.";
+    const { kind, choice } = this;
+    if (this.busy) return kind === "picture" ? "Drawing the picture." : "Making the film.";
     const { width, height } = this.madeSize;
     const pixels = `${width} × ${height} pixels`;
     if (kind === "picture") return `${pixels}, PNG`;

@@ -8,9 +8,9 @@ import { secondsOf, type FilmName, type StillOrder } from "../../film/orders";
 /** Either; in the shape that it will have. */
 export type Previewed = Omit<StillOrder, "make"> | { readonly film: FilmName; readonly size: Size };
 
-/** The longer side, in CSS pixels, and how many of its own there are to one at most. */
+/** The longer side, in CSS pixels, and how many of its own there are to one: thin lines want them, and what moves has no time for them. */
 const LONGEST = 320;
-const MOST_DENSITY = 2;
+const DENSITY = 2;
 /** Between two pictures: so often they come at most, and a slow machine has time for others. */
 const BREATH_MS = 45;
 /** How long a film that does not loop shows its end. */
@@ -86,15 +86,15 @@ export class FilmPreview extends Part {
 
   private moment(second: number, still: boolean) {
     const { of } = this;
-    const size = this.small(of.size);
+    const size = this.small(of.size, still ? DENSITY : Math.min(DENSITY, devicePixelRatio || 1));
     if (!("film" in of)) return { ...of, size };
     const seconds = secondsOf(of.film);
     const share = of.film === "turntable" ? (second / seconds) % 1 : Math.min(1, (second % (seconds + END_S)) / seconds);
     return { film: of.film, size, share: still ? (of.film === "turntable" ? 0 : 1) : share };
   }
 
-  private small({ width, height }: Size): Size {
-    const scale = (LONGEST * Math.min(MOST_DENSITY, devicePixelRatio || 1)) / Math.max(width, height);
+  private small({ width, height }: Size, density: number): Size {
+    const scale = (LONGEST * density) / Math.max(width, height);
     return { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
   }
 
