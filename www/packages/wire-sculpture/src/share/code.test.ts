@@ -142,11 +142,11 @@ it("opens or refuses what has a right checksum and a made-up body, and never han
 
 it("opens 3,200 control points at once", () => {
   const { code } = named("long");
-  // The best of a few: the machine may be busy with something else.
+  // The best of a few, in the processor's time: the machine may be busy with something else.
   const timesMs = Array.from({ length: 8 }, () => {
-    const startMs = performance.now();
+    const before = process.cpuUsage();
     openShareCode(code);
-    return performance.now() - startMs;
+    return process.cpuUsage(before).user / 1000;
   });
   expect(Math.min(...timesMs)).toBeLessThan(50);
 });
