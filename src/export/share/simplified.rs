@@ -38,7 +38,7 @@ pub fn simplified_code(sculpture: &Sculpture, max_characters: usize) -> Option<S
     let all = wire.control_points().len();
     // Characters grow with control points, nearly in proportion.
     let (mut count, mut best) = (all, None);
-    let (mut fits, mut too_many) = (FEWEST, all + 1);
+    let (mut fits, mut too_many) = (FEWEST - 1, all + 1);
     for _ in 0..TRIES {
         let simpler = Sculpture { wire: with_fewer_points(wire, count)?, ..sculpture.clone() };
         let code = code_of(&simpler, rounded_coarsely(&simpler, COARSER));
@@ -49,9 +49,12 @@ pub fn simplified_code(sculpture: &Sculpture, max_characters: usize) -> Option<S
         } else {
             too_many = count;
         }
+        if too_many <= fits + 1 {
+            break;
+        }
         let wanted = (count as f64 * 0.995 * max_characters as f64 / length as f64) as usize;
-        let next = wanted.clamp(fits.saturating_add(1), too_many.saturating_sub(1).max(fits));
-        if too_many <= fits + 1 || next <= fits + all / 200 {
+        let next = wanted.clamp(fits + 1, too_many - 1);
+        if best.is_some() && next <= fits + all / 200 {
             break;
         }
         count = next;
