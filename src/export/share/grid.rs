@@ -12,14 +12,14 @@ use crate::wire::Wire;
 /// Picture size for which the precision is chosen.
 const SIZE_PX: f64 = 512.0;
 /// How far a point of the curve and its radius may move together, in those pixels: 0.3, with some left for knots.
-const MOST_PX: f64 = 0.2985;
+const MOST_PX: f64 = 0.297;
 /// The coarsest steps that are tried, of coordinates and of widths, and the finest, which always do.
 const COARSEST_PX: [f64; 2] = [0.8, 0.4];
 const FINEST_PX: [f64; 2] = [0.21, 0.23];
 /// Coordinates are at most this many steps, however near an eye is.
 const MAX_STEPS: f64 = (1u64 << 24) as f64;
 const SAMPLES: usize = 4;
-const CHECKED_SAMPLES: usize = 8;
+const CHECKED_SAMPLES: usize = 16;
 const ROUNDS: usize = 8;
 /// How often the curve is let slip less where it went too far.
 const REPAIRS: usize = 3;
