@@ -12,21 +12,25 @@ use crate::wire::Wire;
 /// Picture size for which the precision is chosen.
 const SIZE_PX: f64 = 512.0;
 /// How far a point of the curve and its radius may move together, in those pixels: 0.3, with some left for knots.
-const MOST_PX: f64 = 0.2985;
+const MOST_PX: f64 = 0.297;
 /// The coarsest steps that are tried, of coordinates and of widths, and the finest, which always do.
 const COARSEST_PX: [f64; 2] = [0.8, 0.4];
 const FINEST_PX: [f64; 2] = [0.21, 0.23];
 /// Coordinates are at most this many steps, however near an eye is.
 const MAX_STEPS: f64 = (1u64 << 24) as f64;
 const SAMPLES: usize = 4;
-const CHECKED_SAMPLES: usize = 8;
-const ROUNDS: usize = 16;
+const CHECKED_SAMPLES: usize = 16;
+const ROUNDS: usize = 8;
+/// How often the curve is let slip less where it went too far.
+const REPAIRS: usize = 3;
 /// How much it counts if the curve slips along itself.
 const SLIP: f64 = 0.3;
 /// What a bit is worth in tension.
 const THRIFT: f64 = 0.4;
+/// What it costs to go beyond the limit, whatever it saves.
+const BEYOND: f64 = 100.0;
 /// Cosine of the turn from one sample to the next up to which it may.
-const STRAIGHT: f64 = 0.8;
+const STRAIGHT: f64 = 0.9;
 
 /// Control points in steps.
 pub struct Rounded {
@@ -42,8 +46,7 @@ pub fn rounded(sculpture: &Sculpture) -> Rounded {
     let fine = on_grid(&sculpture.wire, &grids).unwrap_or_else(|| {
         let mut at = 0;
         while at + 1 < grids.len() {
-            let rounded = sight.round(&sculpture.wire, grids[at]);
-            let moved = sight.moved_px(&sculpture.wire, &rounded);
+            let (rounded, moved) = sight.round(&sculpture.wire, grids[at]);
             if moved <= MOST_PX {
                 return rounded;
             }
@@ -133,19 +136,27 @@ impl Sight {
             .collect()
     }
 
-    /// How far the curve moved at most, as it is seen: along itself it may slip.
-    fn moved_px(&self, wire: &Wire, rounded: &Rounded) -> f64 {
-        let Some(other) = placed(wire, rounded) else { return f64::INFINITY };
-        let mut most = 0.0f64;
-        for (before, after) in strands(wire, CHECKED_SAMPLES).iter().zip(&strands(&other, CHECKED_SAMPLES)) {
+    /// How far the curve moved about each of its [`SAMPLES`] a span, as it is seen: along itself it may slip.
+    fn moved_px(&self, wire: &Wire, rounded: &Rounded) -> Vec<f64> {
+        let (_, strokes) = wire.sampling_map::<f64>(SAMPLES, false);
+        let mut moved = vec![f64::INFINITY; strokes.iter().map(|stroke| stroke.count).sum()];
+        let Some(other) = placed(wire, rounded) else { return moved };
+        moved.fill(0.0);
+        let pairs = strands(wire, CHECKED_SAMPLES).into_iter().zip(strands(&other, CHECKED_SAMPLES));
+        for (stroke, (before, after)) in strokes.iter().zip(pairs) {
             for camera in &self.cameras {
                 let seen =
                     |strand: &Strand| strand.points.iter().map(|point| camera.project(point)).collect::<Vec<_>>();
-                let (before, after) = (seen(before), seen(after));
-                most = most.max(strayed_px(&before, &after)).max(strayed_px(&after, &before));
+                let (before, after) = (seen(&before), seen(&after));
+                for (from, to) in [(&before, &after), (&after, &before)] {
+                    for at in 0..from.len() {
+                        let most = &mut moved[stroke.start + at * SAMPLES / CHECKED_SAMPLES];
+                        *most = most.max(strayed_px(at, from, to));
+                    }
+                }
             }
         }
-        most
+        moved
     }
 
     /// How far points are apart in the views, centre and radius together: at most, and in the mean.
@@ -163,27 +174,32 @@ impl Sight {
         (most, sum / count.max(1.0))
     }
 
-    /// To the grid, with the curve held in place as well as can be.
-    fn round(&self, wire: &Wire, steps: [f32; 2]) -> Rounded {
+    /// To the grid, with the curve held in place as well as can be; and how far it moved at most.
+    fn round(&self, wire: &Wire, steps: [f32; 2]) -> (Rounded, f64) {
         let mut rounded = nearest(wire, steps);
         let mut tension = Tension::new(self, wire, &rounded);
-        for _ in 0..ROUNDS {
-            let moves = (0..rounded.points.len()).filter(|&i| tension.relax(i, &mut rounded)).count();
-            if moves == 0 {
+        let mut most = f64::INFINITY;
+        for _ in 0..REPAIRS {
+            for _ in 0..ROUNDS {
+                let moves = (0..rounded.points.len()).filter(|&i| tension.relax(i, &mut rounded)).count();
+                if moves == 0 {
+                    break;
+                }
+            }
+            let moved = self.moved_px(wire, &rounded);
+            most = moved.iter().copied().fold(0.0, f64::max);
+            if !tension.hold(&moved) {
                 break;
             }
         }
-        rounded
+        (rounded, most)
     }
 }
 
-/// How far a polyline, `[x, y, radius]`, is at most from another that runs beside it; what the radius differs by added.
-fn strayed_px(from: &[[f64; 3]], to: &[[f64; 3]]) -> f64 {
-    let beside = |(at, p): (usize, &[f64; 3])| {
-        let near = &to[at.saturating_sub(CHECKED_SAMPLES)..(at + CHECKED_SAMPLES + 1).min(to.len())];
-        near.windows(2).map(|pair| apart_px(p, &pair[0], &pair[1])).fold(f64::INFINITY, f64::min)
-    };
-    from.iter().enumerate().map(beside).fold(0.0, f64::max)
+/// How far a place of a polyline, `[x, y, radius]`, is from another that runs beside it; what the radius differs by added.
+fn strayed_px(at: usize, from: &[[f64; 3]], to: &[[f64; 3]]) -> f64 {
+    let near = &to[at.saturating_sub(CHECKED_SAMPLES)..(at + CHECKED_SAMPLES + 1).min(to.len())];
+    near.windows(2).map(|pair| apart_px(&from[at], &pair[0], &pair[1])).fold(f64::INFINITY, f64::min)
 }
 
 /// How far a place is from the piece between two others.
@@ -211,6 +227,8 @@ struct Shown {
     across: [f64; 3],
     along: [f64; 3],
     radius: f64,
+    /// How much it counts what it moves along itself.
+    slip: f64,
 }
 
 impl Shown {
@@ -225,14 +243,15 @@ impl Shown {
         let (slip, [u, v]) = if straight { (SLIP, [u / length, v / length]) } else { (1.0, [1.0, 0.0]) };
         Shown {
             across: std::array::from_fn(|c| u * y[c] - v * x[c]),
-            along: std::array::from_fn(|c| slip * (u * x[c] + v * y[c])),
+            along: std::array::from_fn(|c| u * x[c] + v * y[c]),
             radius: radius[3],
+            slip,
         }
     }
 
     fn moved_px(&self, off: &[f64; 4]) -> f64 {
         let dot = |a: &[f64; 3]| a[0] * off[0] + a[1] * off[1] + a[2] * off[2];
-        let (across, along) = (dot(&self.across), dot(&self.along));
+        let (across, along) = (dot(&self.across), self.slip * dot(&self.along));
         (across * across + along * along).sqrt() + (self.radius * off[3]).abs()
     }
 }
@@ -290,6 +309,18 @@ impl Tension {
         Tension { samples, moved_by }
     }
 
+    /// Lets samples that moved too far slip no more; whether there are any that did.
+    fn hold(&mut self, moved: &[f64]) -> bool {
+        let mut held = false;
+        for (sample, _) in self.samples.iter_mut().zip(moved).filter(|(_, moved)| **moved > MOST_PX) {
+            for view in sample.views.iter_mut().filter(|view| view.slip < 1.0) {
+                held = true;
+                view.slip = 1.0;
+            }
+        }
+        held
+    }
+
     /// With a control point moved `by`: rises steeply where a sample comes to the limit.
     fn about(&self, point: usize, by: &[f64; 4]) -> f64 {
         let pull = |&(at, weight): &(usize, f64)| {
@@ -298,7 +329,8 @@ impl Tension {
             let share = views.iter().map(|view| view.moved_px(&off)).fold(0.0, f64::max) / MOST_PX;
             let square = share * share;
             let fourth = square * square;
-            fourth * fourth * fourth * square
+            let pull = fourth * fourth * fourth * square;
+            if share > 1.0 { pull + BEYOND * share } else { pull }
         };
         self.moved_by[point].iter().map(pull).sum()
     }

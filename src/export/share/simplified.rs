@@ -1,8 +1,8 @@
 //! A wire too long for a link, made simpler until it fits: fewer control points, laid by least squares along the same
 //! curve, on a coarser grid.
 
-use super::code_of;
 use super::grid::{Sight, rounded_coarsely};
+use super::{code_of, open_share_code};
 use crate::sculpture::Sculpture;
 use crate::wire::{Form, LinearMap, Wire};
 use serde::Serialize;
@@ -18,10 +18,12 @@ pub struct Simplified {
     pub mean_px: f64,
 }
 
-/// Control points are rounded to steps of about a pixel.
-const COARSER: f64 = 1.8;
+/// Steps that are tried before there are fewer control points: the coarsest are a pixel and a half.
+const COARSER: [f64; 4] = [1.0, 1.25, 1.5, 1.9];
 /// Tries until the number of control points is right.
-const TRIES: usize = 7;
+const TRIES: usize = 9;
+/// Fewer control points are further apart and take more each: they are about this power of the characters.
+const STEEPNESS: f64 = 1.5;
 const FEWEST: usize = 24;
 /// Places at which curves are compared, for each control point.
 const COMPARED: usize = 8;
@@ -36,12 +38,16 @@ pub fn simplified_code(sculpture: &Sculpture, max_characters: usize) -> Option<S
     }
     let sight = Sight::new(sculpture);
     let all = wire.control_points().len();
-    // Characters grow with control points, nearly in proportion.
-    let (mut count, mut best) = (all, None);
-    let (mut fits, mut too_many) = (FEWEST, all + 1);
+    let coded = |simpler: &Sculpture, coarser: f64| code_of(simpler, rounded_coarsely(simpler, coarser));
+    let finest = COARSER.iter().map(|&coarser| coded(sculpture, coarser)).find(|code| code.len() <= max_characters);
+    if let Some(code) = finest {
+        return compared(wire, &sight, code);
+    }
+    let (mut count, mut best) = (all * 3 / 4, None);
+    let (mut fits, mut too_many) = (FEWEST - 1, all + 1);
     for _ in 0..TRIES {
         let simpler = Sculpture { wire: with_fewer_points(wire, count)?, ..sculpture.clone() };
-        let code = code_of(&simpler, rounded_coarsely(&simpler, COARSER));
+        let code = coded(&simpler, COARSER[3]);
         let length = code.len();
         if length <= max_characters {
             best = Some(code);
@@ -49,15 +55,23 @@ pub fn simplified_code(sculpture: &Sculpture, max_characters: usize) -> Option<S
         } else {
             too_many = count;
         }
-        let wanted = (count as f64 * 0.995 * max_characters as f64 / length as f64) as usize;
-        let next = wanted.clamp(fits.saturating_add(1), too_many.saturating_sub(1).max(fits));
-        if too_many <= fits + 1 || next <= fits + all / 200 {
+        if too_many <= fits + 1 {
+            break;
+        }
+        let wanted = (count as f64 * (0.995 * max_characters as f64 / length as f64).powf(STEEPNESS)) as usize;
+        let next = wanted.clamp(fits + 1, too_many - 1);
+        if best.is_some() && next <= fits + all / 200 {
             break;
         }
         count = next;
     }
-    let code = best?;
-    let opened = super::open_share_code(&code).ok()?;
+    compared(wire, &sight, best?)
+}
+
+/// With how far it is off.
+fn compared(wire: &Wire, sight: &Sight, code: String) -> Option<Simplified> {
+    let all = wire.control_points().len();
+    let opened = open_share_code(&code).ok()?;
     let along = |wire: &Wire| -> Vec<[f64; 4]> {
         let (start, end) = wire.domain();
         let count = COMPARED * all;

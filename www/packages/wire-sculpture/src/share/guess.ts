@@ -80,13 +80,6 @@ class Misses {
 
 const bellWidth = (miss: number): number => Math.max(miss, 0.2) * 1.5;
 
-/** A bell `(1 + x²/3)^-3`. */
-function bell(x: number, centre: number, width: number): number {
-  const t = (x - centre) / width;
-  const a = 1 + (t * t) / 3;
-  return 1 / (a * a * a);
-}
-
 const BELLS = 6;
 /** A coordinate's last experts know how far it is from one point to the next as well. */
 const EXPERTS = BELLS + 3;
@@ -102,11 +95,28 @@ class Opinion {
   readonly ringWidths = new Float64Array(3);
   squares = 0;
 
-  at(expert: number, x: number): number {
-    if (expert < BELLS) return bell(x, this.centres[expert]!, this.widths[expert]!);
+  /** Densities of one expert for all bins into `densities`; their sum. Bells are `(1 + x²/3)^-3`. */
+  weigh(expert: number, start: number, bin: number, half: number): number {
     const ring = expert - BELLS;
-    const own = this.ringBells[ring]!;
-    return bell(x, this.centres[own]!, this.widths[own]!) * bell(Math.sqrt(this.squares + x * x), this.distances[ring]!, this.ringWidths[ring]!);
+    const own = ring < 0 ? expert : this.ringBells[ring]!;
+    const [centre, width] = [this.centres[own]!, this.widths[own]!];
+    const [distance, ringWidth] = ring < 0 ? [0, 1] : [this.distances[ring]!, this.ringWidths[ring]!];
+    const from = expert * BINS;
+    let sum = 0;
+    for (let k = 0; k < BINS; k++) {
+      const x = start + k * bin + half;
+      const t = (x - centre) / width;
+      const a = 1 + (t * t) / 3;
+      let density = 1 / (a * a * a);
+      if (ring >= 0) {
+        const u = (Math.sqrt(this.squares + x * x) - distance) / ringWidth;
+        const b = 1 + (u * u) / 3;
+        density *= 1 / (b * b * b);
+      }
+      densities[from + k] = density;
+      sum += density;
+    }
+    return sum;
   }
 }
 
@@ -132,9 +142,13 @@ class Mixture {
     sums.fill(0);
     for (let expert = 0; expert < count; expert++) {
       const from = expert * BINS;
-      let sum = 0;
-      for (let k = 0; k < BINS; k++) sum += densities[from + k] = opinion.at(expert, start + k * bin + half);
-      for (let k = 0; k < BINS; k++) sums[BINS + k]! += shares[expert]! * (densities[from + k]! /= sum);
+      const sum = opinion.weigh(expert, start, bin, half);
+      const share = shares[expert]!;
+      for (let k = 0; k < BINS; k++) {
+        const density = densities[from + k]! / sum;
+        densities[from + k] = density;
+        sums[BINS + k]! += share * density;
+      }
     }
     const read = choose(coder);
     let sum = 0;
