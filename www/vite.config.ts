@@ -1,11 +1,13 @@
 import { build, type Plugin, type Rolldown } from "vite";
 import { defineConfig } from "vitest/config";
-import { embedPage } from "./plugins/embed-page";
-import { includes } from "./plugins/includes";
-import { policies } from "./plugins/policies";
+import { embedPage } from "./plugins/embed-page.ts";
+import { gallery } from "./plugins/gallery.ts";
+import { includes } from "./plugins/includes.ts";
+import { openGraph } from "./plugins/open-graph.ts";
+import { policies } from "./plugins/policies.ts";
 
 /** Each a page of its own. */
-const PAGES = ["index.html", "embed.html", "docs.html"];
+const PAGES = ["index.html", "embed.html", "docs.html", "gallery.html"];
 
 const ELEMENT = "packages/wire-sculpture";
 
@@ -34,7 +36,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [includes, embedPage(), policies, wireSculpture],
+  plugins: [includes, gallery, embedPage(), policies, openGraph(), wireSculpture],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {

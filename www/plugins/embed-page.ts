@@ -6,8 +6,8 @@
 import { createHash } from "node:crypto";
 import { basename } from "node:path";
 import { build, type Plugin } from "vite";
-import { inScript } from "../src/ui/save/markup";
-import { policyTag } from "./policies";
+import { inScript } from "../src/ui/save/markup.ts";
+import { policyTag } from "./policies.ts";
 
 const PAGE = "embed.html";
 const SCRIPT = /<script type="module" src="\.\/([^"]+)"><\/script>\s*/;

@@ -6,7 +6,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Plugin } from "vite";
-import { escaped } from "../src/ui/save/markup";
+import { escaped } from "../src/ui/save/markup.ts";
 
 const ROOT = join(import.meta.dirname, "..");
 const read = (...path: string[]): string => readFileSync(join(ROOT, ...path), "utf8").trimEnd();

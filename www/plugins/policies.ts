@@ -8,7 +8,7 @@ const APP = "default-src 'self'; img-src 'self' blob:; script-src 'self' 'wasm-u
 const DOCS = "default-src 'self'; img-src 'self' blob: data:; worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'";
 
 /** By the page's name; `null` for one whose plugin knows better. */
-const POLICIES: Readonly<Record<string, string | null>> = { "docs.html": DOCS, "embed.html": null };
+const POLICIES: Readonly<Record<string, string | null>> = { "docs.html": DOCS, "gallery.html": DOCS, "embed.html": null };
 
 export const policies: Plugin = {
   name: "policies",

@@ -39,6 +39,7 @@ const ROOMS: readonly string[] = [
   "tasks",
   "embed",
   "docs",
+  "gallery",
 ];
 /** What a task's folder may know of elements: what the page wants of a task. */
 const PAGE_TASK = "ui/shared/page-task";

@@ -21,6 +21,7 @@ mod tube;
 mod types;
 mod wasm;
 mod words;
+mod works;
 
 use std::process::ExitCode;
 
@@ -47,6 +48,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "test", options: "[rust|web|browser]", help: test::HELP, run: test::run },
     Verb { name: "types", options: "", help: types::HELP, run: types::run },
     Verb { name: "words", options: "[three] [--denoise F] [--only W]", help: words::HELP, run: words::run },
+    Verb { name: "works", options: "[NAME...|posters|sheet]", help: works::HELP, run: works::run },
 ];
 
 fn main() -> ExitCode {
@@ -56,7 +58,7 @@ fn main() -> ExitCode {
     else {
         println!("usage: cargo xtask VERB\n");
         for verb in VERBS {
-            println!("  {:<30} {}", format!("{} {}", verb.name, verb.options), verb.help);
+            println!("  {:<32} {}", format!("{} {}", verb.name, verb.options), verb.help);
         }
         return ExitCode::SUCCESS;
     };

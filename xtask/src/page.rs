@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::setup;
 use crate::shell::{command, run, say, www};
-use crate::wasm;
+use crate::{wasm, works};
 use std::process::Command;
 
 /// One of the packages' programs, run in the page's folder.
@@ -28,9 +28,10 @@ pub fn install_packages() -> Result {
     Ok(())
 }
 
-/// Packages and wasm: what any use of the page needs.
+/// Packages, posters and wasm: what any use of the page needs.
 pub fn prepare() -> Result {
     install_packages()?;
+    works::posters()?;
     wasm::build()
 }
 

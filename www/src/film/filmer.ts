@@ -1,7 +1,6 @@
-/** Has pictures and films made, in a worker where there can be one. */
+/** Has pictures and films made in a worker, so that the page waits for none of them. */
 
 import type { Subject } from "#sculpture/darkroom";
-import type { Lab } from "./lab";
 import type { FilmOrder, Order, Preview, Progress, StillOrder, Told } from "./orders";
 
 /** Somebody gave it up. */
@@ -19,13 +18,13 @@ interface Waiting {
 export class Filmer {
   private readonly waiting = new Map<number, Waiting>();
   private orders = 0;
-  private lab: { send(order: Order): void; end(): void } | null = null;
+  private worker: Worker | null = null;
   private subject: Subject | null = null;
 
   /** What pictures are of from now on. */
   show(subject: Subject): void {
     this.subject = subject;
-    this.lab?.send({ subject });
+    this.send({ subject });
   }
 
   /** @throws GivenUp after `giveUp`; else an error whose message says why it cannot be made. */
@@ -45,8 +44,8 @@ export class Filmer {
 
   /** Ends at once whatever is being made; what is asked next begins anew. */
   giveUp(): void {
-    this.lab?.end();
-    this.lab = null;
+    this.worker?.terminate();
+    this.worker = null;
     this.fail(new GivenUp("given up"));
   }
 
@@ -54,27 +53,26 @@ export class Filmer {
     return new Promise((resolve, reject) => {
       const id = ++this.orders;
       this.waiting.set(id, { resolve, reject, ...(progress && { progress }) });
-      if (!this.lab) {
-        this.lab = this.open();
-        if (this.subject) this.lab.send({ subject: this.subject });
+      if (!this.worker) {
+        this.worker = this.open();
+        if (this.subject) this.send({ subject: this.subject });
       }
-      this.lab.send({ id, ...order });
+      this.send({ id, ...order });
     });
   }
 
-  private open(): NonNullable<Filmer["lab"]> {
-    if (typeof Worker !== "function") {
-      const lab = import("./lab").then(({ Lab }) => new Lab((told) => this.hear(told)));
-      const tell = (act: (lab: Lab) => void): void => void lab.then(act, (error: unknown) => this.fail(error as Error));
-      return { send: (order) => tell((lab) => void lab.hear(order)), end: () => tell((lab) => lab.end()) };
-    }
+  private send(order: Order): void {
+    this.worker?.postMessage(order);
+  }
+
+  private open(): Worker {
     const worker = new Worker(new URL("./film-worker.ts", import.meta.url), { type: "module", name: "film" });
     worker.onmessage = ({ data }: MessageEvent<Told>) => this.hear(data);
     worker.onerror = () => {
-      this.lab = null;
+      this.worker = null;
       this.fail(new Error("the part of the page that draws did not come"));
     };
-    return { send: (order) => worker.postMessage(order), end: () => worker.terminate() };
+    return worker;
   }
 
   private hear(told: Told): void {

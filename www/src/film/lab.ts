@@ -1,4 +1,4 @@
-/** Where pictures and films are made: answers orders, in a worker or, where there is none, in the page. */
+/** Where pictures and films are made: answers orders. */
 
 import { Darkroom, type Size, type Subject } from "#sculpture/darkroom";
 import { momentsOf } from "#sculpture/film";
@@ -13,7 +13,6 @@ export class Lab {
   private subject: Subject | null = null;
   /** For previews, which come one after the other. */
   private room: Darkroom | null = null;
-  private ended = false;
 
   constructor(private readonly tell: (told: Told, transfer: Transferable[]) => void) {}
 
@@ -37,12 +36,6 @@ export class Lab {
       console.warn(error);
       this.tell({ id, problem: error instanceof Error ? error.message : String(error) }, []);
     }
-  }
-
-  /** What is being made is given up. */
-  end(): void {
-    this.ended = true;
-    this.room?.dispose();
   }
 
   private open(size: Size): Darkroom {
@@ -81,7 +74,6 @@ export class Lab {
       const startMs = performance.now();
       let drawMs = 0;
       for (const [at, moment] of momentsOf(FILMS[film], frames).entries()) {
-        if (this.ended) throw new Error("it was given up");
         const beganMs = performance.now();
         room.frame(FILMS[film], moment, size);
         room.develop();
@@ -99,5 +91,5 @@ export class Lab {
   }
 }
 
-/** Lets others in between frames, where this is in a page. */
+/** Lets previews in between frames. */
 const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));

@@ -24,7 +24,7 @@ export interface FilmOrder {
   /** As `sizeFor` says for the format. */
   readonly size: Size;
   readonly choice: Choice;
-  /** As many frames as its seconds have; fewer only for tests. */
+  /** As many frames as its seconds have, unless told. */
   readonly frames?: number;
 }
 

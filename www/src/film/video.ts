@@ -58,7 +58,7 @@ export async function openVideo(choice: Choice, size: Size): Promise<Sink> {
     },
     close() {
       if (encoder.state !== "closed") encoder.close();
-      void output.cancel();
+      if (output.state === "started") void output.cancel();
     },
   };
 }

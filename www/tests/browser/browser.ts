@@ -36,7 +36,7 @@ export interface Site {
   readonly sent: Sent[];
 }
 
-/** A plain static server that compresses, as any host does; the folder lies under `prefix`, and nothing else is there. */
+/** A plain static server that compresses and lets other pages read, as most hosts do; the folder lies under `prefix`, and nothing else is there. */
 export async function serveDist(prefix: string, folder = DIST): Promise<Site> {
   const sent: Sent[] = [];
   const server = createServer((request, response) => {
@@ -52,7 +52,7 @@ export async function serveDist(prefix: string, folder = DIST): Promise<Site> {
     const packs = !PACKED.has(kind) && /\bgzip\b/.test(String(request.headers["accept-encoding"] ?? ""));
     const body = packs ? gzipSync(readFileSync(file)) : readFileSync(file);
     sent.push({ file: name, bytes: body.length });
-    const headers = { "content-type": TYPES[kind] ?? "application/octet-stream", "content-length": body.length, vary: "accept-encoding" };
+    const headers = { "content-type": TYPES[kind] ?? "application/octet-stream", "content-length": body.length, vary: "accept-encoding", "access-control-allow-origin": "*" };
     response.writeHead(200, packs ? { ...headers, "content-encoding": "gzip" } : headers).end(body);
   });
   await new Promise<void>((ready) => server.listen(0, "127.0.0.1", ready));

@@ -253,7 +253,7 @@ it("does it all by keys", async () => {
   await page.locator("wire-stage").getByRole("button", { name: "Lines on the far side", pressed: true }).waitFor();
   await page.locator("body").click({ position: { x: 720, y: 20 } });
   await page.keyboard.press("2");
-  await page.locator("wire-stage").getByRole("button", { name: "right", exact: true, pressed: true }).waitFor();
+  await page.locator("wire-stage").getByRole("button", { name: "Right", exact: true, pressed: true }).waitFor();
   await tabTo(/Cover it/);
   await page.keyboard.press("Enter");
   await phase(page, "running");

@@ -1,6 +1,7 @@
 /** What the page may cost, and what it costs: one table. `cargo xtask budget` prints it. */
 
 import { runAudits } from "./audits";
+import { runFilms } from "./films";
 import { runThrottled } from "./throttled-run";
 import { sizes } from "./sizes";
 
@@ -18,7 +19,7 @@ export interface Account {
   readonly notes: readonly string[];
 }
 
-const PARTS: Readonly<Record<string, () => Promise<Account>>> = { sizes, audits: runAudits, run: runThrottled };
+const PARTS: Readonly<Record<string, () => Promise<Account>>> = { sizes, audits: runAudits, run: runThrottled, films: runFilms };
 
 /** Measures the parts asked for, all of them by default; whether everything is within its limit. */
 export async function measure(asked: readonly string[]): Promise<boolean> {

@@ -10,7 +10,7 @@ import { shown } from "./gl";
 import { tonesOf, type Look } from "./looks";
 import type { Mat4, Vec3 } from "./matrix";
 import { axesOf, cameraOf, directionOf, DIRECTIONS, framed, type Camera, type Pose, type Vantage } from "./orbit";
-import { Painter } from "./painter";
+import { Painter, WALL_AWAY } from "./painter";
 import { boxOf, cornersOf, ROOM_CORNERS, ROOM_SHARE, ROOM_SHARE_OF_BODIES, StageUnavailable, VIEW_SHARE } from "./scene";
 import type { WireShape } from "./shape";
 import { buildRings } from "./tube";
@@ -43,9 +43,13 @@ const ON_BODY = 2.5;
 /** Larger pictures are drawn in pieces: a graphics card needs 36 bytes for each pixel of a smooth-edged one. */
 const PIECE_PX = 2048;
 /** Directions that stand for a whole turn. */
-const ROUND = 32;
-/** A room that turns shows a wall's whole width, so its picture may lose its far corners. */
-const TURNED_SHARE = 1.12;
+const STEPS = 32;
+/** How much of a film's picture is filled by all that comes into it at any time. */
+const FILM_SHARE = 0.97;
+/** The axes along which shadows fall. On a whole turn walls come and go, and only the floor stays: room enough for them. */
+const WALLS = [0, 1, 2] as const;
+const FLOOR = [1] as const;
+const ROUND_SHARE = 0.8;
 
 export class Darkroom {
   readonly canvas = new OffscreenCanvas(1, 1);
@@ -107,9 +111,9 @@ export class Darkroom {
     this.paint(turned(pose, turnRad, this.axis), size, ground);
   }
 
-  /** Waits until the graphics card has finished what is on the canvas: whoever takes it would wait as long. */
+  /** Waits until what is on the canvas is drawn, as whoever takes it would: to read a pixel is the one way that does wait. */
   develop(): void {
-    this.gl.finish();
+    this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   dispose(): void {
@@ -140,11 +144,10 @@ export class Darkroom {
   /** Where a film looks from, with room for all of its turn: nothing jumps nearer or farther on the way. */
   private poseOf({ swingRad }: Film, { width, height }: Size): Pose {
     const { room } = this.subject.look;
-    const corners = room ? ROOM_CORNERS : this.box;
-    const axis = this.axis;
-    const swept = Array.from({ length: ROUND + 1 }, (_, i) => -swingRad + (2 * swingRad * i) / ROUND).flatMap((by) => corners.map((corner) => round(corner, by, axis)));
-    const share = room ? this.share * (swingRad > Math.PI / 2 ? TURNED_SHARE : 1) : VIEW_SHARE;
-    return framed(DIRECTIONS.room, swept, width / height, share);
+    const round = swingRad > Math.PI / 2;
+    const seen = room ? [...this.box, ...this.box.flatMap((corner) => shadowsOf(corner, round ? FLOOR : WALLS))] : this.box;
+    const swept = Array.from({ length: STEPS + 1 }, (_, i) => swingRad * ((2 * i) / STEPS - 1)).flatMap((by) => seen.map((corner) => turnedPoint(corner, by, this.axis)));
+    return framed(DIRECTIONS.room, swept, width / height, !room ? VIEW_SHARE : round ? ROUND_SHARE : FILM_SHARE);
   }
 
   /** What a film turns round: the room's middle, or the wire's own. */
@@ -179,8 +182,13 @@ function pieceOf(camera: Camera, size: Size, piece: Size & { readonly left: numb
   return { ...camera, clipFromWorld };
 }
 
+/** Where the shadows of a point are. */
+function shadowsOf(point: Vec3, axes: readonly number[]): Vec3[] {
+  return axes.map((axis) => point.map((x, c) => (c === axis ? -WALL_AWAY : x)) as unknown as Vec3);
+}
+
 /** A point turned to the right about an upright axis. */
-function round([x, y, z]: Vec3, byRad: number, axis: Vec3): Vec3 {
+function turnedPoint([x, y, z]: Vec3, byRad: number, axis: Vec3): Vec3 {
   const [sin, cos] = [Math.sin(byRad), Math.cos(byRad)];
   const [dx, dz] = [x - axis[0], z - axis[2]];
   return [axis[0] + cos * dx + sin * dz, y, axis[2] - sin * dx + cos * dz];
@@ -188,5 +196,5 @@ function round([x, y, z]: Vec3, byRad: number, axis: Vec3): Vec3 {
 
 /** A camera turned with what it looks at. */
 export function turned(pose: Pose, byRad: number, axis: Vec3): Pose {
-  return { ...pose, azimuthRad: pose.azimuthRad + byRad, target: round(pose.target, byRad, axis) };
+  return { ...pose, azimuthRad: pose.azimuthRad + byRad, target: turnedPoint(pose.target, byRad, axis) };
 }

@@ -139,7 +139,8 @@ export class WireSculpture extends Base implements Member {
     super();
     const root = this.attachShadow({ mode: "open" });
     root.adoptedStyleSheets = [styleSheet()];
-    root.append(this.box, h("div", { class: "ring" }), this.about, this.seenFrom, this.keys, this.probe, this.bar.element);
+    // A page may lay the element out as it likes: what is inside keeps its order.
+    root.append(h("div", { class: "frame" }, this.box, h("div", { class: "ring" }), this.bar.element), this.about, this.seenFrom, this.keys, this.probe);
     for (const name of ["pointerenter", "pointerdown", "focusin"]) this.box.addEventListener(name, () => this.isResting && this.consider());
   }
 

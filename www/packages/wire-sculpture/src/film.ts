@@ -48,14 +48,11 @@ export const FOUND: Film = {
   swingRad: TURN_RAD,
   at(share) {
     const second = share * this.seconds;
-    const way = paced(second / WAY_S);
+    const way = eased(second / WAY_S);
     const turn = eased((second - WAY_S - LOOK_S) / TURN_S);
-    return { turnRad: TURN_RAD * Math.sin(2 * Math.PI * turn) - DRIFT_RAD * (1 - eased(second / WAY_S)), way };
+    return { turnRad: TURN_RAD * Math.sin(2 * Math.PI * turn) - DRIFT_RAD * (1 - way), way };
   },
 };
-
-/** A run finds most of its wire early, so the film lingers there: slow at first and slow in the end. */
-const paced = (share: number): number => eased(Math.max(0, Math.min(1, share)) ** 1.25);
 
 /** The moments of a film of so many frames. */
 export function momentsOf(film: Film, frames: number): Moment[] {

@@ -15,8 +15,7 @@ const STYLE = `
   --_accent-wash: var(--wire-accent-wash, light-dark(#f3e6d8, #35281c));
   --_elevation: var(--wire-elevation, 0 1px 2px light-dark(#3c2d1914, #0006), 0 6px 20px light-dark(#3c2d1912, #0000004d));
   position: relative;
-  display: flex;
-  flex-direction: column;
+  display: block;
   box-sizing: border-box;
   min-width: 0;
   overflow: hidden;
@@ -39,6 +38,7 @@ button, select, input { font: inherit; color: inherit; }
 :focus-visible { outline: 2px solid var(--_accent); outline-offset: 2px; }
 .icon { flex: none; width: 20px; height: 20px; fill: none; stroke: currentColor; stroke-width: 1.8; stroke-linecap: round; stroke-linejoin: round; }
 .unseen { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+.frame { position: absolute; inset: 0; display: flex; flex-direction: column; }
 .view { position: relative; flex: 1; min-height: 0; }
 .view > :is(canvas, img, svg, slot) { position: absolute; inset: 0; display: block; width: 100%; height: 100%; }
 .view > canvas {
@@ -87,7 +87,9 @@ canvas:focus-visible { outline: none; }
 }
 @container (max-width: 400px) {
   .more .group button.square { width: 38px; }
-  .views button { min-width: 0; padding: 0 8px; }
+}
+@container (max-width: 330px) {
+  .views button { min-width: 0; padding: 0 6px; }
 }
 @media (forced-colors: active) {
   .group button[aria-pressed="true"] { forced-color-adjust: none; background: Highlight; color: HighlightText; }

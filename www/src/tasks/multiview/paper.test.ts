@@ -140,10 +140,16 @@ describe("composing", () => {
   it("adds a stroke without doing everything again", () => {
     let paper = everything();
     for (let i = 0; i < 200; i++) paper = withStroke(paper, pen(i, 2 * i, 500 - i, 300, 20, 500 - i));
+    const seconds = (work: () => unknown): number => {
+      const start = performance.now();
+      work();
+      return performance.now() - start;
+    };
+    // The quickest of each: other work on the machine only ever makes things longer.
+    const anew = Math.min(...[0, 1, 2].map(() => seconds(() => compose({ ...paper, layers: structuredClone(paper.layers) }))));
     compose(paper);
-    const start = performance.now();
-    for (let i = 0; i < 20; i++) compose((paper = withStroke(paper, pen(10 + i, 10, 200, 300 + i))));
-    expect((performance.now() - start) / 20).toBeLessThan(16);
+    const added = Math.min(...Array.from({ length: 20 }, (_, i) => seconds(() => compose((paper = withStroke(paper, pen(10 + i, 10, 200, 300 + i)))))));
+    expect(added).toBeLessThan(anew / 4);
   });
 });
 

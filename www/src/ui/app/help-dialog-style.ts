@@ -45,6 +45,10 @@ export const helpDialogStyle = css`
   dd {
     margin: 0;
   }
+  a {
+    color: var(--copper-text);
+    text-underline-offset: 3px;
+  }
   kbd {
     display: inline-block;
     min-width: 24px;

@@ -27,7 +27,7 @@ export class HelpDialog extends LitElement {
       </header>
       <div class="body">
         ${this.tasks.map((help) => html`<p>${help}</p>`)}
-        <p>When you like a wire, copy its link or save it for a 3D printer.</p>
+        <p>When you like a wire, share its link, save it for a 3D printer, or <a href="./docs.html" target="_blank">show it on your own page</a>.</p>
         <p><b>Nothing leaves this device:</b> no upload, no account, no tracking. Your work is kept in this browser only.</p>
         <h2>Keys</h2>
         <dl>

@@ -319,7 +319,17 @@ export class WireApp extends LitElement {
     if (!made) return;
     const [{ openFilms }, { isDark }] = await Promise.all([import("../film/open-films"), import("../shared/theme")]);
     const body = this.parts[this.task.name]?.body?.(this.now) ?? null;
-    await openFilms({ made, body, through: this.through, ...this.look, dark: isDark(), views: this.task.stage.views, save: (blob, ending) => this.saving.keep(blob, ending), carrying: (picture) => this.studio.saver.carrying(picture) });
+    await openFilms({
+      made,
+      body,
+      through: this.through,
+      ...this.look,
+      dark: isDark(),
+      views: this.task.stage.views,
+      seen: this.stage.getState(),
+      save: (blob, ending) => this.saving.keep(blob, ending),
+      carrying: (picture) => this.studio.saver.carrying(picture),
+    });
   }
 
   /** Help is loaded when it is first wanted. */

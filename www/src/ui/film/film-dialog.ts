@@ -30,8 +30,9 @@ export interface Scenery {
   readonly look: LookName;
   readonly room: boolean;
   readonly dark: boolean;
-  /** Where one can look from by name, and where the stage's camera is, if it is known. */
+  /** Where one can look from by name; the one that the stage shows, null where somebody turned it; and its camera, if there is one. */
   readonly views: readonly ViewName[];
+  readonly view: ViewName | null;
   readonly pose: Pose | null;
 }
 
@@ -79,7 +80,6 @@ export class FilmDialog extends LitElement {
 
   override render() {
     const { kind, busy } = this;
-    const { words } = this.summary;
     return html`<dialog aria-labelledby="title" @click=${this.clickedBeside} @cancel=${this.cancelled} @close=${this.closed}>
       <header>
         <h1 id="title">Pictures and films</h1>
@@ -100,12 +100,11 @@ export class FilmDialog extends LitElement {
             ${this.field("Look", LOOK_NAMES.map((name) => [name, LOOK_WORDS[name]]), this.look, (look) => this.change({ look: look as LookName }))}
             ${kind === "picture" ? this.field("Seen from", this.vantages, this.from, (from) => this.change({ from: from as ViewName })) : this.formats()}
           </div>
-          ${kind !== "picture" && this.choice ? html`<p class="small quiet">${formatWords(this.choice, this.asGif)}</p>` : nothing}
         </div>
       </div>
       <footer>
         <div>
-          <p class="small ${this.problem ? "problem" : "quiet"}" role="status">${this.problem || this.said || words}</p>
+          <p class="small ${this.problem ? "problem" : "quiet"}" role="status">${this.problem || this.said || this.summary}</p>
           ${busy ? html`<div class="bar"><i></i></div>` : nothing}
         </div>
         ${busy && kind !== "picture"
@@ -117,8 +116,8 @@ export class FilmDialog extends LitElement {
 
   /** Opens over the page, with what the stage shows. */
   show(): void {
-    const { look, room, dark, pose } = this.scenery;
-    Object.assign(this, { look, room, ground: dark ? "dark" : "light", from: pose ? "stage" : "room", kind: this.kind === "found" && this.scenery.way.length < 2 ? "picture" : this.kind });
+    const { look, room, dark, view, pose } = this.scenery;
+    Object.assign(this, { look, room, ground: dark ? "dark" : "light", from: view ?? (pose ? "stage" : "room"), kind: this.kind === "found" && this.scenery.way.length < 2 ? "picture" : this.kind });
     this.change({});
     if (!this.dialog.open) this.dialog.showModal();
   }
@@ -132,10 +131,10 @@ export class FilmDialog extends LitElement {
   private change(change: Partial<Choices>): void {
     Object.assign(this, change, { said: "", problem: "" });
     const { wire, way, body, through } = this.scenery;
-    const subject = [this.kind === "found", this.look, this.behind === "dark", this.room].join();
+    const subject = [this.kind === "found", this.look, this.dim, this.room].join();
     if (subject !== this.shown) {
       this.shown = subject;
-      this.filmer.show({ wires: wiresFor(this.kind === "found" ? way : [], wire), look: lookFor(this.look, this.behind === "dark", this.room), body, through });
+      this.filmer.show({ wires: wiresFor(this.kind === "found" ? way : [], wire), look: lookFor(this.look, this.dim, this.room), body, through });
     }
     this.version++;
     void this.chooseFormat();
@@ -167,6 +166,11 @@ export class FilmDialog extends LitElement {
     return this.kind !== "picture" && this.ground === "clear" ? (this.scenery.dark ? "dark" : "light") : this.ground;
   }
 
+  /** Whether the walls are dark; where nothing is behind them, those of the page. */
+  private get dim(): boolean {
+    return this.behind === "clear" ? this.scenery.dark : this.behind === "dark";
+  }
+
   private get vantage(): Vantage | Pose {
     return this.from === "stage" ? (this.scenery.pose ?? "room") : this.from;
   }
@@ -180,16 +184,15 @@ export class FilmDialog extends LitElement {
     return kind === "picture" ? { ...this.still, size } : { film: kind, size };
   }
 
-  private get summary(): { words: string } {
+  /** What is being made, or would be. */
+  private get summary(): string {
     const { kind, progress, choice } = this;
+    if (this.busy && kind === "picture") return "Drawing the picture.";
+    if (this.busy) return progress ? `Frame ${progress.done} of ${progress.frames}, ${timeLeft(Math.ceil(progress.msLeft / 1000))}` : "Getting ready.";
     const { width, height } = this.madeSize;
-    if (this.busy && kind === "picture") return { words: "Drawing the picture." };
-    if (this.busy) {
-      if (!progress) return { words: "Getting ready." };
-      return { words: `Frame ${progress.done} of ${progress.frames}, ${timeLeft(Math.ceil(progress.msLeft / 1000))}` };
-    }
-    if (kind === "picture") return { words: `${width} × ${height} pixels, PNG` };
-    return { words: choice ? `${width} × ${height} pixels, ${secondsOf(kind)} seconds, ${choice.format === "webm" ? "WebM" : choice.format.toUpperCase()}` : "" };
+    const pixels = `${width} × ${height} pixels`;
+    if (kind === "picture") return `${pixels}, PNG`;
+    return choice ? `${pixels}, ${secondsOf(kind)} seconds. ${formatWords(choice, this.asGif)}` : "";
   }
 
   private get kinds() {

@@ -39,8 +39,6 @@ export class FilmPreview extends Part {
     }
     canvas {
       display: block;
-      max-width: 100%;
-      max-height: 100%;
       border-radius: 4px;
     }
     canvas.clear {
@@ -48,7 +46,7 @@ export class FilmPreview extends Part {
     }
     @media (max-width: 719px) {
       :host {
-        height: min(260px, 34dvh);
+        height: min(208px, 30dvh);
       }
     }
   `;
@@ -102,10 +100,9 @@ export class FilmPreview extends Part {
 
   private show(bitmap: ImageBitmap): void {
     const { canvas } = this;
-    const scale = LONGEST / Math.max(bitmap.width, bitmap.height);
-    canvas.width = bitmap.width;
-    canvas.height = bitmap.height;
-    canvas.style.width = `${bitmap.width * scale}px`;
+    const scale = Math.min(this.clientWidth / bitmap.width, this.clientHeight / bitmap.height);
+    [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
+    [canvas.style.width, canvas.style.height] = [`${bitmap.width * scale}px`, `${bitmap.height * scale}px`];
     canvas.getContext("bitmaprenderer")!.transferFromImageBitmap(bitmap);
   }
 }

@@ -1,11 +1,13 @@
 /** Opens the dialog of pictures and films. */
 
 import type { BodyShape } from "#sculpture/body";
+import type { SculptureState } from "#sculpture/element";
 import type { LookName } from "#sculpture/looks";
-import type { ViewName } from "#sculpture/orbit";
+import type { Pose, ViewName } from "#sculpture/orbit";
 import type { Made } from "../../state/keeping/document";
 import type { StageWords } from "../shared/page-task";
 import { FilmDialog } from "./film-dialog";
+import { wayOf } from "./wires";
 
 export interface FilmWishes {
   readonly made: Made;
@@ -15,17 +17,26 @@ export interface FilmWishes {
   readonly room: boolean;
   readonly dark: boolean;
   readonly views: StageWords["views"];
+  /** Of the stage. */
+  readonly seen: Pick<SculptureState, "view" | "camera">;
   /** Takes a file and the end of its name, and answers with the whole name. */
   readonly save: (made: Blob, ending: string) => string;
   /** Puts the wire into a PNG picture of it. */
   readonly carrying: (picture: Blob) => Promise<Blob>;
 }
 
-export async function openFilms({ made, views, save, carrying, ...seen }: FilmWishes): Promise<void> {
+export async function openFilms({ made, views, save, carrying, seen, ...scenery }: FilmWishes): Promise<void> {
   const dialog = document.body.appendChild(new FilmDialog());
-  const way = made.track?.loose ? [] : (made.track?.snapshots.map(({ wire }) => wire) ?? []);
-  dialog.scenery = { ...seen, wire: made.finished.wire, way, views: Object.keys(views) as ViewName[], pose: null };
+  const names = Object.keys(views) as ViewName[];
+  dialog.scenery = { ...scenery, wire: made.finished.wire, way: wayOf(made), views: names, view: names.find((name) => name === seen.view) ?? null, pose: poseOf(seen.camera) };
   Object.assign(dialog, { save, carrying });
   await dialog.updateComplete;
   dialog.show();
+}
+
+function poseOf(camera: SculptureState["camera"]): Pose | null {
+  if (!camera) return null;
+  const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+  const { azimuth, elevation, lens, reach, target } = camera;
+  return { azimuthRad: radians(azimuth), elevationRad: radians(elevation), fovYRad: radians(lens), reach, target };
 }

@@ -25,6 +25,7 @@ export const embedPanelStyle = css`
     display: block;
     width: 100%;
     aspect-ratio: 4 / 3;
+    font: inherit;
     border-radius: 4px;
     overflow: hidden;
   }
