@@ -223,8 +223,10 @@ fn damaged_drawings_are_left_out_and_the_wire_opens() {
     assert_eq!((many.sculpture.carried.drawings.len(), many.notes.len()), (64, 1));
 }
 
-/// The files with where in them the capsule is.
-static FILES: LazyLock<Vec<(&'static str, Vec<u8>, Range<usize>)>> = LazyLock::new(|| {
+/// Its name, its bytes, and where in them the capsule is.
+type Placed = (&'static str, Vec<u8>, Range<usize>);
+
+static FILES: LazyLock<Vec<Placed>> = LazyLock::new(|| {
     let carrying = files(&sculpture(full()));
     let place = |(name, bytes): (&'static str, Vec<u8>)| {
         let at = bytes.windows(9).position(|window| window == b"\"format\":").unwrap_or(0);

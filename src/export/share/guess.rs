@@ -153,8 +153,9 @@ impl Mixture {
         for share in &mut self.shares[..self.count] {
             *share = (1.0 - FORGIVEN) * *share / sum + FORGIVEN / self.count as f64;
         }
-        let low =
-            (0..doublings).rev().fold(0, |read, k| read << 1 | i64::from(coder.flag(number - start >> k & 1 == 1)));
+        let low = (0..doublings)
+            .rev()
+            .fold(0, |read, k| (read << 1) | i64::from(coder.flag(((number - start) >> k) & 1 == 1)));
         (start + ((read as i64) << doublings) + low).clamp(-MAX_NUMBER, MAX_NUMBER)
     }
 }

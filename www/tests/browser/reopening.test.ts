@@ -194,6 +194,7 @@ describe("a damaged file", () => {
     const { page, faults } = await visit(browser, site.url);
     await padsReady(page);
     await opens(page, "it.png", files.png);
+    await previewed(page);
     const before = await inks(page);
     for (const [kind, mark] of [["png", '"code":"'], ["svg", '"code":"'], ["glb", '"code":"'], ["wire.json", '"knots":[']] as const) {
       const at = files[kind].indexOf(mark) + mark.length;
