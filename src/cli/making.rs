@@ -89,9 +89,9 @@ impl Making {
     }
 }
 
-/// The best wire of a run with what it was made of: the arranged pictures, and what else was `given`.
+/// The best wire of a run with how it was found and what it was made of: the arranged pictures, and what else was `given`.
 pub fn made(run: &Run, report: &Report, given: Carried) -> Result<Sculpture> {
-    let mut carried = given;
+    let mut carried = Carried { replay: run.replay(), ..given };
     for target in run.targets().iter().take(MAX_DRAWINGS) {
         let view = &target.view.name;
         if let Some(placed) = report.arrangement.iter().find(|placed| &placed.view == view) {

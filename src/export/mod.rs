@@ -23,6 +23,7 @@ pub use lines::lines;
 pub use mesh::TriangleMesh;
 pub use obj::obj;
 pub use open::{MAX_CARRIER_BYTES, Opened, open_file};
+pub use share::replay;
 pub use share::{Simplified, open_link, open_share_code, share_code, simplified_code};
 pub use stl::stl;
 pub use svg::{SvgOptions, svg};

@@ -11,6 +11,7 @@ mod run;
 mod saved;
 mod settings;
 pub mod stroke;
+mod trail;
 mod widths;
 
 #[cfg(all(feature = "gpu", target_arch = "wasm32"))]

@@ -3,7 +3,9 @@
 use super::engine::engine;
 use super::plan::{Placed, Plan};
 use super::saved::SavedRun;
+use super::trail::{Trail, due_after};
 use crate::Result;
+use crate::export::replay;
 use crate::metrics::{ArrangementReport, EventReport, Report, ResultReport, TimeReport};
 use crate::objective::{Displacement, Guidance};
 use crate::optimize::{Event, Place, Session, wait};
@@ -37,6 +39,7 @@ pub struct Run {
     session: Session,
     /// The iteration before which other views are due, where they change.
     seen_until: usize,
+    trail: Trail,
 }
 
 /// For how many changes of views these are made at once: views of one iteration leave cores without work, and a graphics
@@ -63,7 +66,12 @@ impl Run {
         let engine = engine(plan.settings().backend).await?;
         let problem = plan.begin(None, progress)?;
         let seen_until = plan.change_views_every();
-        Ok(Run { plan: Box::new(plan), session: Session::with_engine(problem, engine)?, seen_until })
+        Ok(Run {
+            plan: Box::new(plan),
+            session: Session::with_engine(problem, engine)?,
+            seen_until,
+            trail: Trail::default(),
+        })
     }
 
     /// Goes on from a checkpoint of a run of the same things: with the same settings bit for bit as if it had never been
@@ -89,7 +97,7 @@ impl Run {
         let problem = plan.begin(Some((saved.wire().clone(), saved.iteration())), progress)?;
         let session = Session::resume_with_engine(problem, saved, engine(plan.settings().backend).await?)?;
         let seen_until = session.iteration().next_multiple_of(plan.change_views_every().max(1));
-        Ok(Run { plan: Box::new(plan), session, seen_until })
+        Ok(Run { plan: Box::new(plan), session, seen_until, trail: Trail::default() })
     }
 
     /// The whole state, to go on from later with the task's `resume`.
@@ -113,7 +121,9 @@ impl Run {
         let mut events = Vec::new();
         let mut left = count.min(self.session.total() - self.session.iteration());
         while left > 0 {
-            let batch = left.min(self.look()?);
+            let (iteration, total) = (self.session.iteration(), self.session.total());
+            self.trail.note(iteration, total, || self.session.wire());
+            let batch = left.min(self.look()?).min(due_after(iteration, total) - iteration);
             events.extend(self.session.step_async(batch).await);
             left -= batch;
         }
@@ -196,6 +206,12 @@ impl Run {
             },
             carried: Carried::default(),
         }
+    }
+
+    /// How its best wire so far was found, as [`replay::decode`](crate::export::replay::decode) reads it; since it was
+    /// resumed, if it was. Empty before the first iteration.
+    pub fn replay(&self) -> Vec<u8> {
+        replay::encode(&self.trail.to(self.session.iteration(), self.session.best()))
     }
 
     /// What view `view` of the targets shows of a wire.

@@ -134,6 +134,14 @@ impl Made {
     }
 }
 
+/// A wire.json made simpler, for a link of at most so many characters: as JSON, see [`export::Simplified`]. Nothing where it
+/// cannot be.
+#[wasm_bindgen]
+pub fn simplify(file: &[u8], characters: usize) -> Result<Option<String>, JsError> {
+    let sculpture = Sculpture::from_json("wire.json", file)?;
+    Ok(export::simplified_code(&sculpture, characters).map(|simplified| json(&simplified)))
+}
+
 /// A wire.json as a file of another format, by its ending; `view` is the name of the view that an SVG shows.
 #[wasm_bindgen]
 pub fn export_file(file: &[u8], format: &str, view: &str) -> Result<Vec<u8>, JsError> {

@@ -309,7 +309,9 @@ impl Run {
             None => (0..self.target_count()).map(|index| self.target(index)).collect(),
             Some(bent) => bent.iter().enumerate().map(|(index, (image, _))| self.target_as(index, image)).collect(),
         };
-        let made = Made::new(self.0.sculpture(), targets, self.0.result());
+        let mut sculpture = self.0.sculpture();
+        sculpture.carried.replay = self.0.replay();
+        let made = Made::new(sculpture, targets, self.0.result());
         if !self.0.hides() {
             return made;
         }

@@ -2,6 +2,7 @@
 
 mod export_files;
 mod export_mesh;
+mod export_replay;
 mod export_share;
 #[path = "../support/export_support/mod.rs"]
 mod export_support;

@@ -1,8 +1,9 @@
 //! What a share code holds, as whole numbers, and the order in which it is written: [`Contents::transcode`] describes
 //! the format once for both directions.
 
-use super::guess::{MAX_NUMBER, Series};
+use super::guess::MAX_NUMBER;
 use super::range::{Coder, Model, NumberModels};
+use super::series;
 use crate::view::{Projection, View};
 use crate::wire::{Form, MAX_CONTROL_POINTS};
 
@@ -38,11 +39,7 @@ const MAX_NAME_BYTES: u64 = 256;
 /// What a task is mostly called; any other name is spelled.
 const TASKS: [&str; 3] = ["multiview", "stroke", "fill"];
 /// Low bits of a step that are 0 in version 2: it is one of sixteen in an octave.
-const STEP_ZEROS: u32 = 19;
-/// Weights of the last four differences between control points, and between widths, before any are known.
-const POINT_WEIGHTS: [f64; 4] = [0.95, -0.15, 0.05, 0.0];
-const WIDTH_WEIGHTS: [f64; 4] = [0.7, 0.0, 0.0, 0.0];
-
+pub const STEP_ZEROS: u32 = 19;
 /// The code says something no wire has.
 #[derive(Debug)]
 pub struct Nonsense;
@@ -64,7 +61,7 @@ impl Contents {
         let count = count as usize;
         let zeros = if version == 1 { 0 } else { STEP_ZEROS };
         for step in &mut self.steps {
-            *step = f32::from_bits((coder.bits(u64::from(step.to_bits() >> zeros), 32 - zeros) as u32) << zeros);
+            transcode_step(coder, step, zeros);
         }
         self.control_points.resize(count, [0; 4]);
         let intervals = if self.closed { count } else { count.saturating_sub(3) };
@@ -73,13 +70,8 @@ impl Contents {
             transcode_columns(coder, &mut self.control_points, 3..4)?;
             self.knots.transcode(coder, intervals)?;
         } else {
-            self.transcode_series(coder)?;
-            let uniform = KnotCode::uniform(intervals);
-            if coder.flag(self.knots == uniform) {
-                self.knots = uniform;
-            } else {
-                self.knots.transcode(coder, intervals)?;
-            }
+            series::transcode(coder, &mut self.control_points)?;
+            self.knots.transcode_mostly_uniform(coder, intervals)?;
         }
         let views = coder.whole(self.views.len() as u64);
         if views > MAX_VIEWS {
@@ -99,45 +91,6 @@ impl Contents {
         self.seed = coder.whole(self.seed);
         Ok(())
     }
-
-    /// All control points, then all widths.
-    fn transcode_series(&mut self, coder: &mut impl Coder) -> Result<(), Nonsense> {
-        let clamp = |c: i64| c.clamp(-MAX_NUMBER, MAX_NUMBER);
-        let mut points = Series::<3>::new(POINT_WEIGHTS);
-        let mut before = [0; 3];
-        let mut inputs = [[0.0; 4]; 3];
-        for point in &mut self.control_points {
-            let ahead = std::array::from_fn(|c| point[c] - before[c]);
-            let ahead = points.next(coder, ahead, inputs.map(|inputs| inputs[0]), &inputs);
-            for c in 0..3 {
-                point[c] = clamp(before[c] + ahead[c]);
-                before[c] = point[c];
-                push(&mut inputs[c], ahead[c]);
-            }
-            if coder.exhausted() {
-                return Err(Nonsense);
-            }
-        }
-        let mut widths = Series::<1>::new(WIDTH_WEIGHTS);
-        let mut before = 0;
-        let mut inputs = [[0.0; 4]];
-        for point in &mut self.control_points {
-            let [ahead] = widths.next(coder, [point[3] - before], [0.0], &inputs);
-            point[3] = clamp(before + ahead);
-            before = point[3];
-            push(&mut inputs[0], ahead);
-            if coder.exhausted() {
-                return Err(Nonsense);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The newest first.
-fn push(inputs: &mut [f64; 4], newest: i64) {
-    inputs.rotate_right(1);
-    inputs[0] = newest as f64;
 }
 
 /// How a column's next value is guessed from the three before: nothing, the last, on a straight line (half or all the
@@ -185,10 +138,20 @@ fn transcode_columns(
     Ok(())
 }
 
+/// A step with some low bits that are 0.
+pub fn transcode_step(coder: &mut impl Coder, step: &mut f32, zeros: u32) {
+    *step = f32::from_bits((coder.bits(u64::from(step.to_bits() >> zeros), 32 - zeros) as u32) << zeros);
+}
+
 impl KnotCode {
-    /// What most wires have.
-    pub fn uniform(count: usize) -> KnotCode {
-        KnotCode { start: 0.0, longest: 1.0, per_octave: 1, intervals: vec![1; count] }
+    /// In one bit, if it is what most wires have.
+    pub fn transcode_mostly_uniform(&mut self, coder: &mut impl Coder, count: usize) -> Result<(), Nonsense> {
+        let uniform = KnotCode { start: 0.0, longest: 1.0, per_octave: 1, intervals: vec![1; count] };
+        if coder.flag(*self == uniform) {
+            *self = uniform;
+            return Ok(());
+        }
+        self.transcode(coder, count)
     }
 
     fn transcode(&mut self, coder: &mut impl Coder, count: usize) -> Result<(), Nonsense> {

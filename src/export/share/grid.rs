@@ -1,26 +1,32 @@
 //! Rounds a wire to the coarsest grid with which its curve stays where it is, as far as its views can show.
 //!
-//! A control point may go to any neighbour on the grid that keeps the curve in place: where roundings work against each
-//! other, the grid can be a good deal coarser than if each point had to stay by itself.
+//! A control point may go to any neighbour on the grid that keeps the curve in place, the sooner if that takes fewer bits
+//! to write: where roundings work against each other, the grid can be a good deal coarser than if each point had to stay
+//! by itself.
 
-use crate::sculpture::{Sculpture, strands};
+use super::contents::STEP_ZEROS;
+use crate::sculpture::{Sculpture, Strand, strands};
 use crate::view::{Camera, View};
-use crate::wire::{LinearMap, Wire};
+use crate::wire::Wire;
 
 /// Picture size for which the precision is chosen.
 const SIZE_PX: f64 = 512.0;
 /// How far a point of the curve and its radius may move together, in those pixels: 0.3, with some left for knots.
-const MOST_PX: f64 = 0.298;
+const MOST_PX: f64 = 0.2985;
 /// The coarsest steps that are tried, of coordinates and of widths, and the finest, which always do.
-const COARSEST_PX: [f64; 2] = [0.61, 0.29];
+const COARSEST_PX: [f64; 2] = [0.8, 0.4];
 const FINEST_PX: [f64; 2] = [0.21, 0.23];
 /// Coordinates are at most this many steps, however near an eye is.
 const MAX_STEPS: f64 = (1u64 << 24) as f64;
-/// Steps have four bits after the leading one.
-const STEP_ZEROS: u32 = 19;
 const SAMPLES: usize = 4;
-const CHECKED_SAMPLES: usize = 16;
+const CHECKED_SAMPLES: usize = 8;
 const ROUNDS: usize = 16;
+/// How much it counts if the curve slips along itself.
+const SLIP: f64 = 0.3;
+/// What a bit is worth in tension.
+const THRIFT: f64 = 0.4;
+/// Cosine of the turn from one sample to the next up to which it may.
+const STRAIGHT: f64 = 0.8;
 
 /// Control points in steps.
 pub struct Rounded {
@@ -34,10 +40,17 @@ pub fn rounded(sculpture: &Sculpture) -> Rounded {
     let sight = Sight::new(sculpture);
     let grids = sight.grids(1.0);
     let fine = on_grid(&sculpture.wire, &grids).unwrap_or_else(|| {
-        let fits = |rounded: &Rounded| sight.moved_px(&sculpture.wire, rounded) <= MOST_PX;
-        let mut tried = grids.iter().map(|&steps| sight.round(&sculpture.wire, steps));
+        let mut at = 0;
+        while at + 1 < grids.len() {
+            let rounded = sight.round(&sculpture.wire, grids[at]);
+            let moved = sight.moved_px(&sculpture.wire, &rounded);
+            if moved <= MOST_PX {
+                return rounded;
+            }
+            at += ((moved / MOST_PX).log2() * 8.0).clamp(1.0, 3.0) as usize;
+        }
         // The finest is right by itself.
-        tried.find(fits).unwrap_or_else(|| nearest(&sculpture.wire, *grids.last().unwrap_or(&[1e-6; 2])))
+        nearest(&sculpture.wire, *grids.last().unwrap_or(&[1e-6; 2]))
     });
     // Whatever is opened from this and shared again must give the same.
     match placed(&sculpture.wire, &fine) {
@@ -68,7 +81,7 @@ pub fn point_from([x, y, z, width]: [i64; 4], steps: [f32; 2]) -> [f64; 4] {
     [x, y, z, width as f64 * width_step]
 }
 
-fn nearest(wire: &Wire, steps: [f32; 2]) -> Rounded {
+pub fn nearest(wire: &Wire, steps: [f32; 2]) -> Rounded {
     let [step, width_step] = steps.map(f64::from);
     let point = |&[x, y, z, width]: &[f64; 4]| {
         let [x, y, z] = [x, y, z].map(|c| (c / step).round() as i64);
@@ -120,11 +133,19 @@ impl Sight {
             .collect()
     }
 
-    /// How far the curve moved at most.
+    /// How far the curve moved at most, as it is seen: along itself it may slip.
     fn moved_px(&self, wire: &Wire, rounded: &Rounded) -> f64 {
-        let points =
-            |wire: &Wire| strands(wire, CHECKED_SAMPLES).into_iter().flat_map(|s| s.points).collect::<Vec<_>>();
-        placed(wire, rounded).map_or(f64::INFINITY, |other| self.apart_px(&points(wire), &points(&other)).0)
+        let Some(other) = placed(wire, rounded) else { return f64::INFINITY };
+        let mut most = 0.0f64;
+        for (before, after) in strands(wire, CHECKED_SAMPLES).iter().zip(&strands(&other, CHECKED_SAMPLES)) {
+            for camera in &self.cameras {
+                let seen =
+                    |strand: &Strand| strand.points.iter().map(|point| camera.project(point)).collect::<Vec<_>>();
+                let (before, after) = (seen(before), seen(after));
+                most = most.max(strayed_px(&before, &after)).max(strayed_px(&after, &before));
+            }
+        }
+        most
     }
 
     /// How far points are apart in the views, centre and radius together: at most, and in the mean.
@@ -145,12 +166,7 @@ impl Sight {
     /// To the grid, with the curve held in place as well as can be.
     fn round(&self, wire: &Wire, steps: [f32; 2]) -> Rounded {
         let mut rounded = nearest(wire, steps);
-        let (map, _) = wire.sampling_map::<f64>(SAMPLES, false);
-        let misses = wire.control_points().iter().zip(&rounded.points);
-        let misses =
-            misses.map(|(point, &steps)| std::array::from_fn(|c| point_from(steps, rounded.steps)[c] - point[c]));
-        let mut tension =
-            Tension { misses: misses.collect(), samples: self.samples(wire, &map), touching: touching(&map) };
+        let mut tension = Tension::new(self, wire, &rounded);
         for _ in 0..ROUNDS {
             let moves = (0..rounded.points.len()).filter(|&i| tension.relax(i, &mut rounded)).count();
             if moves == 0 {
@@ -159,106 +175,159 @@ impl Sight {
         }
         rounded
     }
+}
 
-    /// What each sample of the curve shows, linear about where it is.
-    fn samples(&self, wire: &Wire, map: &LinearMap<f64>) -> Vec<Sample> {
-        let mut places = Vec::new();
-        map.apply(wire.control_points(), &mut places);
-        let columns = map.columns();
-        let rows = map.rows().iter().zip(&places);
-        rows.map(|(row, place)| Sample {
-            columns: std::array::from_fn(|k| (row.first as usize + k) % columns),
-            weights: row.weights,
-            shown: self.cameras.iter().map(|camera| Shown::new(camera, place)).collect(),
-        })
-        .collect()
-    }
+/// How far a polyline, `[x, y, radius]`, is at most from another that runs beside it; what the radius differs by added.
+fn strayed_px(from: &[[f64; 3]], to: &[[f64; 3]]) -> f64 {
+    let beside = |(at, p): (usize, &[f64; 3])| {
+        let near = &to[at.saturating_sub(CHECKED_SAMPLES)..(at + CHECKED_SAMPLES + 1).min(to.len())];
+        near.windows(2).map(|pair| apart_px(p, &pair[0], &pair[1])).fold(f64::INFINITY, f64::min)
+    };
+    from.iter().enumerate().map(beside).fold(0.0, f64::max)
+}
+
+/// How far a place is from the piece between two others.
+fn apart_px(p: &[f64; 3], from: &[f64; 3], to: &[f64; 3]) -> f64 {
+    let [along, off] = [[to[0] - from[0], to[1] - from[1]], [p[0] - from[0], p[1] - from[1]]];
+    let square = along[0] * along[0] + along[1] * along[1];
+    let share = if square > 0.0 { ((along[0] * off[0] + along[1] * off[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let [x, y] = [off[0] - share * along[0], off[1] - share * along[1]];
+    (x * x + y * y).sqrt() + (p[2] - from[2] - share * (to[2] - from[2])).abs()
 }
 
 /// The nearest number below that has few bits.
-fn short(x: f64) -> f32 {
+pub fn short(x: f64) -> f32 {
     f32::from_bits((x as f32).to_bits() >> STEP_ZEROS << STEP_ZEROS)
 }
 
-/// Pixels a world unit along x, y, z and of width.
+/// A sample of the curve: how far its rounding moves it, in world units, and what that shows.
+struct Sample {
+    off: [f64; 4],
+    views: Vec<Shown>,
+}
+
+/// Pixels a world unit along x, y, z, seen across the curve and along it, and a unit of width.
 struct Shown {
-    x: [f64; 3],
-    y: [f64; 3],
+    across: [f64; 3],
+    along: [f64; 3],
     radius: f64,
 }
 
 impl Shown {
-    fn new(camera: &Camera<f64>, place: &[f64; 4]) -> Shown {
-        let x = camera.project_vjp(place, &[1.0, 0.0, 0.0]);
-        let y = camera.project_vjp(place, &[0.0, 1.0, 0.0]);
-        let radius = camera.project_vjp(place, &[0.0, 0.0, 1.0]);
-        Shown { x: [x[0], x[1], x[2]], y: [y[0], y[1], y[2]], radius: radius[3] }
-    }
-}
-
-struct Sample {
-    columns: [usize; 4],
-    weights: [f64; 4],
-    shown: Vec<Shown>,
-}
-
-/// The samples that each control point moves.
-fn touching(map: &LinearMap<f64>) -> Vec<Vec<usize>> {
-    let mut touching = vec![Vec::new(); map.columns()];
-    for (at, row) in map.rows().iter().enumerate() {
-        for k in (0..4).filter(|&k| row.weights[k] != 0.0) {
-            touching[(row.first as usize + k) % map.columns()].push(at);
+    fn new(camera: &Camera<f64>, behind: &[f64; 4], place: &[f64; 4], ahead: &[f64; 4]) -> Shown {
+        let [x, y, radius] = [0, 1, 2].map(|k| camera.project_vjp(place, &std::array::from_fn(|c| f64::from(c == k))));
+        let [from, at, to] = [behind, place, ahead].map(|place| camera.project(place));
+        let [a, b] = [[at[0] - from[0], at[1] - from[1]], [to[0] - at[0], to[1] - at[1]]];
+        let (u, v) = (a[0] + b[0], a[1] + b[1]);
+        let length = u.hypot(v);
+        // Where it is seen to turn, any way is across.
+        let straight = length > 2.0 && a[0] * b[0] + a[1] * b[1] > STRAIGHT * a[0].hypot(a[1]) * b[0].hypot(b[1]);
+        let (slip, [u, v]) = if straight { (SLIP, [u / length, v / length]) } else { (1.0, [1.0, 0.0]) };
+        Shown {
+            across: std::array::from_fn(|c| u * y[c] - v * x[c]),
+            along: std::array::from_fn(|c| slip * (u * x[c] + v * y[c])),
+            radius: radius[3],
         }
     }
-    touching
+
+    fn moved_px(&self, off: &[f64; 4]) -> f64 {
+        let dot = |a: &[f64; 3]| a[0] * off[0] + a[1] * off[1] + a[2] * off[2];
+        let (across, along) = (dot(&self.across), dot(&self.along));
+        (across * across + along * along).sqrt() + (self.radius * off[3]).abs()
+    }
+}
+
+/// About how many bits it takes to write a control point and the two that are guessed from it, up to a constant.
+fn bits_about(points: &[[i64; 4]], point: usize) -> f64 {
+    let step = |at: usize, c: usize| (points[at][c] - points[at - 1][c]) as f64;
+    let bits = |at: usize| {
+        let (mut miss, mut far, mut far_before) = (1.0, 0.0, 0.0);
+        for c in 0..3 {
+            let (now, before) = (step(at, c), step(at - 1, c));
+            let bend = now - 0.9 * before + 0.1 * step(at - 2, c);
+            miss += bend * bend / 6.0;
+            far += now * now;
+            far_before += before * before;
+        }
+        let uneven = far.sqrt() - far_before.sqrt();
+        let thicker = step(at, 3) - 0.7 * step(at - 1, 3);
+        (miss * miss * (1.0 + uneven * uneven / 2.0) * (1.0 + 2.0 * thicker * thicker)).log2() / 2.0
+    };
+    (point.max(3)..(point + 3).min(points.len())).map(bits).sum()
 }
 
 /// How the rounding pulls at the curve.
 struct Tension {
-    /// By how much each control point is off.
-    misses: Vec<[f64; 4]>,
     samples: Vec<Sample>,
-    touching: Vec<Vec<usize>>,
+    /// The samples that each control point moves, and how much.
+    moved_by: Vec<Vec<(usize, f64)>>,
 }
 
 impl Tension {
-    /// Rises steeply where a sample comes to the limit.
-    fn about(&self, point: usize) -> f64 {
-        self.touching[point].iter().map(|&at| (self.moved_px(&self.samples[at]) / MOST_PX).powi(14)).sum()
-    }
-
-    fn moved_px(&self, sample: &Sample) -> f64 {
-        let mut d = [0.0; 4];
-        for (column, weight) in sample.columns.iter().zip(sample.weights) {
-            for (d, miss) in d.iter_mut().zip(self.misses[*column]) {
-                *d += weight * miss;
+    fn new(sight: &Sight, wire: &Wire, rounded: &Rounded) -> Tension {
+        let (map, _) = wire.sampling_map::<f64>(SAMPLES, false);
+        let pairs = wire.control_points().iter().zip(&rounded.points);
+        let misses: Vec<[f64; 4]> = pairs
+            .map(|(point, &steps)| {
+                let rounded = point_from(steps, rounded.steps);
+                std::array::from_fn(|c| rounded[c] - point[c])
+            })
+            .collect();
+        let (mut places, mut offs) = (Vec::new(), Vec::new());
+        map.apply(wire.control_points(), &mut places);
+        map.apply(&misses, &mut offs);
+        let view = |at: usize| {
+            let [behind, ahead] = [at + places.len() - 1, at + 1].map(|at| &places[at % places.len()]);
+            sight.cameras.iter().map(|camera| Shown::new(camera, behind, &places[at], ahead)).collect()
+        };
+        let samples = offs.into_iter().enumerate().map(|(at, off)| Sample { off, views: view(at) }).collect();
+        let mut moved_by = vec![Vec::new(); map.columns()];
+        for (at, row) in map.rows().iter().enumerate() {
+            for k in (0..4).filter(|&k| row.weights[k] != 0.0) {
+                moved_by[(row.first as usize + k) % map.columns()].push((at, row.weights[k]));
             }
         }
-        let dot = |a: &[f64; 3]| a[0] * d[0] + a[1] * d[1] + a[2] * d[2];
-        let moved = |shown: &Shown| dot(&shown.x).hypot(dot(&shown.y)) + (shown.radius * d[3]).abs();
-        sample.shown.iter().map(moved).fold(0.0, f64::max)
+        Tension { samples, moved_by }
     }
 
-    /// Moves a control point to the neighbour on the grid with the least tension; whether that is another place.
+    /// With a control point moved `by`: rises steeply where a sample comes to the limit.
+    fn about(&self, point: usize, by: &[f64; 4]) -> f64 {
+        let pull = |&(at, weight): &(usize, f64)| {
+            let Sample { off, views } = &self.samples[at];
+            let off = std::array::from_fn(|c| off[c] + weight * by[c]);
+            let share = views.iter().map(|view| view.moved_px(&off)).fold(0.0, f64::max) / MOST_PX;
+            let square = share * share;
+            let fourth = square * square;
+            fourth * fourth * fourth * square
+        };
+        self.moved_by[point].iter().map(pull).sum()
+    }
+
+    /// Moves a control point to the neighbour on the grid with the least tension that is cheap to write; whether that is
+    /// another place.
     fn relax(&mut self, point: usize, rounded: &mut Rounded) -> bool {
-        let mut least = self.about(point);
-        // Nothing comes near the limit.
-        if least < 0.05 {
-            return false;
-        }
-        let (place, miss) = (rounded.points[point], self.misses[point]);
-        let step = point_from([1, 1, 1, 1], rounded.steps);
-        let mut best = [0i64; 4];
-        let moves = (0..27).map(|k| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1, 0]).chain([[0, 0, 0, 1], [0, 0, 0, -1]]);
-        for by in moves.filter(|by| place[3] + by[3] >= 0) {
-            self.misses[point] = std::array::from_fn(|c| miss[c] + by[c] as f64 * step[c]);
-            let tension = self.about(point);
-            if tension < least - 1e-9 {
-                (least, best) = (tension, by);
+        let place = rounded.points[point];
+        let step = point_from([1; 4], rounded.steps);
+        let (mut least, mut best) = (f64::INFINITY, [0i64; 4]);
+        let moves = (0..27).map(|k| [(k + 1) % 3 - 1, (k / 3 + 1) % 3 - 1, (k / 9 + 1) % 3 - 1, 0]);
+        let thicker = [[0, 0, 0, 1], [0, 0, 0, -1]];
+        for by in moves.chain(thicker).filter(|by| place[3] + by[3] >= 0) {
+            let tension = self.about(point, &std::array::from_fn(|c| by[c] as f64 * step[c]));
+            if tension >= least {
+                continue;
+            }
+            rounded.points[point] = std::array::from_fn(|c| place[c] + by[c]);
+            let cost = tension + THRIFT * bits_about(&rounded.points, point);
+            if cost < least - 1e-9 {
+                (least, best) = (cost, by);
             }
         }
-        self.misses[point] = std::array::from_fn(|c| miss[c] + best[c] as f64 * step[c]);
         rounded.points[point] = std::array::from_fn(|c| place[c] + best[c]);
+        for &(at, weight) in &self.moved_by[point] {
+            for c in 0..4 {
+                self.samples[at].off[c] += weight * best[c] as f64 * step[c];
+            }
+        }
         best != [0; 4]
     }
 }

@@ -8,9 +8,11 @@
 
 mod contents;
 mod grid;
-pub(super) mod guess;
+mod guess;
 mod pasted;
-pub(super) mod range;
+mod range;
+pub mod replay;
+mod series;
 mod simplified;
 
 pub use simplified::{Simplified, simplified_code};

@@ -5,9 +5,10 @@ use super::code_of;
 use super::grid::{Sight, rounded_coarsely};
 use crate::sculpture::Sculpture;
 use crate::wire::{Form, LinearMap, Wire};
+use serde::Serialize;
 
 /// A code that shows nearly the same wire.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Simplified {
     /// As from [`super::share_code`].
     pub code: String,

@@ -2,7 +2,7 @@
 
 import type { WireShape } from "#sculpture/shape";
 import type { DiffusionOptions, GuidanceDenoiser, GuidanceEncoder, GuidanceNetwork, WordsOptions } from "./wasm/wire4d";
-import type { Backend, ExportArguments, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
+import type { Backend, ExportArguments, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Simplified, SimplifyArguments, Snapshot, Target, View } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
 
@@ -87,6 +87,7 @@ const core = {
   export: ({ file, format, view }: ExportArguments): Bytes => own(wasm.export_file(file, format, view)),
 
   carry: (picture: Bytes, file: Bytes): Bytes => own(wasm.picture_with_wire(picture, file)),
+  simplify: ({ file, characters }: SimplifyArguments): Simplified | null => JSON.parse(wasm.simplify(file, characters) ?? "null") as Simplified | null,
 };
 
 let loading: Promise<typeof core> | null = null;

@@ -158,6 +158,19 @@ export type SettingValues = Readonly<Record<string, string>>;
 
 export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "lines.svg" | "wire.json" | "bend.csv";
 
+/** A wire.json to be made simpler, for a share code of at most so many characters. */
+export interface SimplifyArguments {
+  readonly file: Uint8Array;
+  readonly characters: number;
+}
+
+/** A code that shows nearly the same wire, and how far that is off in pixels of a view of 512 px: at most, and in the mean. */
+export interface Simplified {
+  readonly code: string;
+  readonly most_px: number;
+  readonly mean_px: number;
+}
+
 export interface ExportArguments {
   readonly file: Uint8Array<ArrayBuffer>;
   readonly format: ExportFormat;
@@ -204,6 +217,8 @@ export interface Calls {
   export: { arguments: ExportArguments; answer: Uint8Array<ArrayBuffer> };
   /** A PNG picture that carries the wire of a wire.json, with all that this has. */
   carry: { arguments: { picture: Uint8Array<ArrayBuffer>; file: Uint8Array<ArrayBuffer> }; answer: Uint8Array<ArrayBuffer> };
+  /** `null` where nothing like the wire is as short. */
+  simplify: { arguments: SimplifyArguments; answer: Simplified | null };
   /** What a network from elsewhere is, before anything of it is used. */
   lookAtGuidance: { arguments: { from: Source }; answer: Facts };
   /**

@@ -22,6 +22,7 @@ const handlers: Handlers = {
   open: async (given) => (await loaded()).open(given),
   export: async (given) => (await loaded()).export(given),
   carry: async ({ picture, file }) => (await loaded()).carry(picture, file),
+  simplify: async (given) => (await loaded()).simplify(given),
   lookAtGuidance: async ({ from }) => (await guidance()).look(from),
   openGuidance: async ({ from, prefer, keep }, tell) => (await guidance()).open(from, prefer, keep, (words, share) => tell({ news: "guidance", words, share })),
   askGuidance: async ({ question }) => (await guidance()).ask(question),

@@ -92,7 +92,7 @@ export class Studio implements Parts {
     const asked = hash.length > 1 ? this.doc.task : null;
     this.runs.offer(await recalled);
     if (asked) this.opener.choose(asked);
-    if (!(await opening)) await this.opener.example();
+    if (!(await opening) && !(await this.receiver.beside(hash))) await this.opener.example();
     this.engine.call("settings", { tasks: this.tasks.map(({ name }) => name) }).then(
       (tables) => this.options.learn(tables),
       (error: unknown) => this.warn(explain(error, "The engine")),

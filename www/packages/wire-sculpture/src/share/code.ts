@@ -8,8 +8,9 @@ import type { View } from "../view";
 import { crc32, fromBase64 } from "./base64";
 import { isView, wireProblem } from "./check";
 import { codesIn, type Found } from "./pasted";
-import { Nonsense, readContents, type KnotCode } from "./contents";
-import { RangeDecoder } from "./range";
+import { readContents } from "./contents";
+import { knotsFrom, pointsFrom } from "./knots";
+import { Nonsense, RangeDecoder } from "./range";
 
 export interface Opened {
   readonly wire: WireShape;
@@ -67,8 +68,7 @@ function bodyOf(code: string): Uint8Array | null {
 function unpack(packed: Uint8Array, version: number): Opened {
   try {
     const { form, closed, steps, points, knots: code, views, task, seed } = readContents(new RangeDecoder(packed), version);
-    const controlPoints = new Float64Array(points.length);
-    for (let at = 0; at < points.length; at++) controlPoints[at] = points[at]! * steps[at % 4 === 3 ? 1 : 0];
+    const controlPoints = pointsFrom(points, steps);
     const knots = knotsFrom(code, closed);
     const problem = wireProblem(form, closed, knots, controlPoints);
     if (problem) throw new ShareCodeError(`This link holds no valid wire (${problem}); ask for a new link.`);
@@ -80,23 +80,3 @@ function unpack(packed: Uint8Array, version: number): Opened {
 }
 
 const damaged = (): ShareCodeError => new ShareCodeError("This link is damaged or incomplete; copy the whole code or link again.");
-
-/** Clamped where the wire is open; periodic, to the last bit, where it is closed. */
-function knotsFrom({ start, longest, perOctave, intervals }: KnotCode, closed: boolean): Float64Array {
-  const count = intervals.length;
-  const knots = new Float64Array(count + 7);
-  let sum = 0;
-  knots.fill(start, 0, 4);
-  intervals.forEach((interval, k) => {
-    if (interval > 0) sum += longest * 2 ** (-(interval - 1) / perOctave);
-    knots[k + 4] = start + sum;
-  });
-  const end = knots[count + 3]!;
-  knots.fill(end, count + 4);
-  if (closed && count >= 3) {
-    const period = end - start;
-    for (let i = 0; i < 3; i++) knots[i] = knots[i + count] === end ? start : knots[i + count]! - period;
-    for (let i = 4; i < 7; i++) knots[i + count] = knots[i] === start ? end : knots[i]! + period;
-  }
-  return knots;
-}

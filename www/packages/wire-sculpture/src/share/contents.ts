@@ -2,11 +2,9 @@
 
 import type { View } from "../view";
 import { MAX_CONTROL_POINTS, type Form } from "./check";
-import { clamp, MAX_NUMBER, push, Series } from "./guess";
-import { numberModels, Models, type RangeDecoder } from "./range";
-
-/** The code says something no wire has. */
-export class Nonsense extends Error {}
+import { clamp, MAX_NUMBER } from "./guess";
+import { Models, Nonsense, numberModels, type RangeDecoder } from "./range";
+import { readPoints } from "./series";
 
 export interface Contents {
   readonly form: Form;
@@ -29,16 +27,13 @@ export interface KnotCode {
   readonly intervals: Int32Array;
 }
 
-const FORMS = ["spline", "chain", "bag"] as const;
+export const FORMS = ["spline", "chain", "bag"] as const;
 const MAX_VIEWS = 64;
 const MAX_NAME_BYTES = 256;
 /** What a task is mostly called; any other name is spelled. */
 const TASKS = ["multiview", "stroke", "fill"] as const;
 /** Low bits of a step that are 0 in version 2. */
-const STEP_ZEROS = 19;
-/** Weights of the last four differences between control points, and between widths, before any are known. */
-const POINT_WEIGHTS = [0.95, -0.15, 0.05, 0];
-const WIDTH_WEIGHTS = [0.7, 0, 0, 0];
+export const STEP_ZEROS = 19;
 
 /** How a column's next value is guessed from the three before: nothing, the last, half or all the way on a line, a parabola. */
 const PREDICTORS: readonly ((a: number, b: number, c: number) => number)[] = [
@@ -73,9 +68,8 @@ export function readContents(coder: RangeDecoder, version: number): Contents {
     readColumns(coder, points, 3, 4);
     knots = readKnots(coder, intervals);
   } else {
-    readSeries(coder, points, [0, 1, 2], new Series(3, POINT_WEIGHTS));
-    readSeries(coder, points, [3], new Series(1, WIDTH_WEIGHTS));
-    knots = coder.flag() ? uniformKnots(intervals) : readKnots(coder, intervals);
+    readPoints(coder, points);
+    knots = readMostlyUniformKnots(coder, intervals);
   }
   const views: View[] = [];
   for (let left = atMost(MAX_VIEWS, coder.whole()); left > 0; left--) {
@@ -85,23 +79,9 @@ export function readContents(coder: RangeDecoder, version: number): Contents {
   return { form, closed, steps, points, knots, views, task, seed: coder.whole() };
 }
 
-/** Some columns of the control points, each guessed from its last four differences; coordinates go on, widths stay. */
-function readSeries(coder: RangeDecoder, points: Int32Array, columns: readonly number[], series: Series): void {
-  const inputs = columns.map(() => new Float64Array(4));
-  for (let at = 0; at < points.length; at += 4) {
-    const plain = inputs.map((of) => (columns.length === 1 ? 0 : of[0]!));
-    const ahead = series.next(coder, plain, inputs);
-    columns.forEach((column, c) => {
-      points[at + column] = clamp((points[at + column - 4] ?? 0) + ahead[c]!);
-      push(inputs[c]!, ahead[c]!);
-    });
-    if (coder.exhausted) throw new Nonsense();
-  }
-}
-
-/** What most wires have. */
-function uniformKnots(count: number): KnotCode {
-  return { start: 0, longest: 1, perOctave: 1, intervals: new Int32Array(count).fill(1) };
+/** One bit says whether they are what most wires have. */
+export function readMostlyUniformKnots(coder: RangeDecoder, count: number): KnotCode {
+  return coder.flag() ? { start: 0, longest: 1, perOctave: 1, intervals: new Int32Array(count).fill(1) } : readKnots(coder, count);
 }
 
 /** Columns of the control points with one shared choice of predictor. */
@@ -167,7 +147,7 @@ function vector(coder: RangeDecoder): [number, number, number] {
 
 const scratch = new DataView(new ArrayBuffer(8));
 
-function float32(coder: RangeDecoder, zeros = 0): number {
+export function float32(coder: RangeDecoder, zeros = 0): number {
   scratch.setUint32(0, coder.bits(32 - zeros) * 2 ** zeros);
   return scratch.getFloat32(0);
 }
@@ -189,7 +169,7 @@ function text(coder: RangeDecoder): string {
   }
 }
 
-function atMost(most: number, count: bigint): number {
+export function atMost(most: number, count: bigint): number {
   if (count > most) throw new Nonsense();
   return Number(count);
 }

@@ -206,9 +206,3 @@ export class Series {
     read.forEach((number, c) => this.fit.learn(inputs[c]!, number));
   }
 }
-
-/** The newest first. */
-export function push(inputs: Float64Array, newest: number): void {
-  inputs.copyWithin(1, 0);
-  inputs[0] = newest;
-}

@@ -3,6 +3,9 @@
  * and 32-bit arithmetic done in doubles, which hold every product of it exactly.
  */
 
+/** The code says something no wire has. */
+export class Nonsense extends Error {}
+
 /** A model never moves by less than about 1 in this many. */
 const SLOWEST = 40;
 const LEAST_RANGE = 2 ** 24;
