@@ -61,6 +61,7 @@ async function open(work: Work): Promise<void> {
     loading: "eager",
     "camera-controls": "",
     controls: "",
+    views: "",
     shadow: "",
     replay: "",
   };

@@ -7,6 +7,9 @@ import type { Taker, Task } from "../contract/task";
 import { sortFiles } from "./files";
 import type { Opener } from "./opener";
 
+/** Whether an address names files that lie beside the page. */
+export const namesBeside = (hash: string): boolean => /[#&]open=/.test(hash);
+
 export class Receiver {
   constructor(
     private readonly bench: Bench,
@@ -51,7 +54,7 @@ export class Receiver {
 
   /** Opens what an address names of the gallery; false where it names nothing. */
   async beside(hash: string): Promise<boolean> {
-    if (!/[#&]open=/.test(hash)) return false;
+    if (!namesBeside(hash)) return false;
     try {
       const { filesBeside } = await import("./beside");
       for (const file of await filesBeside(hash)) await this.files([file]);

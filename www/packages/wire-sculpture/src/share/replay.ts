@@ -1,9 +1,3 @@
-<<<<<<< HEAD
-import type { WireShape } from "../shape";
-
-export function openReplay(_bytes: Uint8Array): { readonly iteration: number; readonly wire: WireShape }[] {
-  return [];
-=======
 /**
  * Opens a replay: how a wire was found. Twin of the reading half of `src/export/share/replay.rs`; bytes are
  * `[version][range-coded wires][CRC-32 of all before]`.
@@ -116,5 +110,4 @@ function asMany(points: Int32Array, count: number): Int32Array {
     }
   }
   return corners;
->>>>>>> codec
 }
