@@ -33,8 +33,8 @@ export function namesOf({ task, make }: Work): readonly string[] {
 /** Where its file lies beside the page. */
 export const fileOf = ({ name }: Work): string => `gallery/works/${name}.wire.json`;
 
-/** The app, with the work and what it was made of; a mesh comes first, or the wire would have nothing to cover. */
+/** The app, with the work and what it was made of; a mesh comes first, or the wire would have nothing to cover, and to its task. */
 export function addressOf(work: Work): string {
   const mesh = meshOf(work);
-  return `./#${[...(mesh ? [`gallery/inputs/${mesh}`] : []), fileOf(work)].map((path) => `open=${path}`).join("&")}`;
+  return `./#${mesh ? `job=${work.task}&open=gallery/inputs/${mesh}&` : ""}open=${fileOf(work)}`;
 }
