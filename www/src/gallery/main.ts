@@ -42,7 +42,7 @@ function follow(): void {
 }
 
 async function open(work: Work): Promise<void> {
-  part(".kind").textContent = KINDS[work.task];
+  part(".kind").textContent = KINDS[work.task]!;
   part("#title").textContent = work.title;
   part(".sentence").textContent = work.sentence;
   part(".inputs").innerHTML = inputs(work);
