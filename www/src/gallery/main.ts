@@ -2,7 +2,6 @@
 
 import works from "../../gallery/works.json";
 import type { WireSculpture } from "#sculpture/element";
-import { startTheme } from "../ui/shared/theme";
 import { text } from "./cards";
 import { addressOf, fileOf, KINDS, meshOf, namesOf, picturesOf, type Work } from "./works";
 
@@ -15,7 +14,6 @@ const items = [...document.querySelectorAll<HTMLElement>(".cards > li")];
 /** What the visitor looks through: all, or those of one kind. */
 let chosen: readonly Work[] = all;
 
-startTheme();
 kinds.hidden = false;
 kinds.addEventListener("click", ({ target }) => {
   const task = target instanceof HTMLButtonElement ? target.dataset["task"] : undefined;

@@ -1,6 +1,6 @@
 /** The gallery: posters come as they are seen, a click opens a work, "Make it yours" leads to the app with all of it. */
 
-import { readdirSync, statSync } from "node:fs";
+import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
@@ -56,8 +56,9 @@ it.each([[360, 740], [1440, 900]])("opens a work %i px wide, says what it is, an
   await expect.poll(() => dialog.textContent()).toContain(first!.sentence);
   await expect.poll(() => dialog.locator(".inputs img").count()).toBe(2);
   await expect.poll(() => isDrawn(page)).toBe(true);
-  // How it was found, with a button to see it again.
-  await expect.poll(() => page.getByRole("slider", { name: "How it was found" }).count()).toBe(1);
+  // How it was found, with a button to see it again, where its file knows.
+  const { replay } = JSON.parse(readFileSync(join(DIST, `gallery/works/${first!.name}.wire.json`), "utf8")) as { readonly replay?: string };
+  await expect.poll(() => page.getByRole("slider", { name: "How it was found" }).count()).toBe(replay ? 1 : 0);
   await shoot(page, `gallery work ${width}`);
   expect(await axeFaults(page)).toEqual([]);
   await dialog.getByRole("link", { name: "Next" }).click();
