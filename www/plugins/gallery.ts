@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Plugin } from "vite";
 import { cards } from "../src/gallery/cards";
-import { fileOf, KINDS, meshOf, picturesOf, TASKS, type Work } from "../src/gallery/works";
+import { fileOf, KINDS, meshOf, picturesOf, type Work } from "../src/gallery/works";
 
 const ROOT = join(import.meta.dirname, "..");
 const works = (): readonly Work[] => JSON.parse(readFileSync(join(ROOT, "gallery/works.json"), "utf8")) as readonly Work[];
@@ -16,7 +16,7 @@ export const gallery: Plugin = {
     handler: (html) =>
       html
         .replace("<!--works-->", () => cards(works(), "#"))
-        .replace("<!--kinds-->", () => TASKS.map((task) => `<button type="button" data-task="${task}" aria-pressed="false">${KINDS[task]}</button>`).join("")),
+        .replace("<!--kinds-->", () => Object.entries(KINDS).map(([task, kind]) => `<button type="button" data-task="${task}" aria-pressed="false">${kind}</button>`).join("")),
   },
   generateBundle() {
     const inputs = works().flatMap((work) => [...picturesOf(work), ...(meshOf(work) ? [meshOf(work)!] : [])]);

@@ -10,3 +10,12 @@ const { WireApp } = await import("./ui/app/wire-app");
 
 const newWorker = (): Worker => new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "wire4d" });
 document.body.prepend(new WireApp(new Studio({ tasks: TASKS, before, newWorker }), TASKS));
+
+// What hangs below comes as somebody scrolls there.
+const below = document.querySelector(".below")!;
+const coming = new IntersectionObserver(([...entries]) => {
+  if (!entries.at(-1)!.isIntersecting) return;
+  coming.disconnect();
+  void import("./gallery/below").then(({ hang }) => hang(below));
+}, { rootMargin: "-1px" });
+coming.observe(below);

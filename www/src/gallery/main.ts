@@ -2,7 +2,6 @@
 
 import works from "../../gallery/works.json";
 import type { WireSculpture } from "#sculpture/element";
-import { startTheme } from "../ui/shared/theme";
 import { text } from "./cards";
 import { addressOf, fileOf, KINDS, meshOf, namesOf, picturesOf, type Work } from "./works";
 
@@ -15,7 +14,6 @@ const items = [...document.querySelectorAll<HTMLElement>(".cards > li")];
 /** What the visitor looks through: all, or those of one kind. */
 let chosen: readonly Work[] = all;
 
-startTheme();
 kinds.hidden = false;
 kinds.addEventListener("click", ({ target }) => {
   const task = target instanceof HTMLButtonElement ? target.dataset["task"] : undefined;
@@ -42,7 +40,7 @@ function follow(): void {
 }
 
 async function open(work: Work): Promise<void> {
-  part(".kind").textContent = KINDS[work.task];
+  part(".kind").textContent = KINDS[work.task]!;
   part("#title").textContent = work.title;
   part(".sentence").textContent = work.sentence;
   part(".inputs").innerHTML = inputs(work);
@@ -61,6 +59,7 @@ async function open(work: Work): Promise<void> {
     loading: "eager",
     "camera-controls": "",
     controls: "",
+    views: "",
     shadow: "",
     replay: "",
   };

@@ -14,7 +14,7 @@ import type { Doc } from "./keeping/document";
 import type { Forms } from "./keeping/keep";
 import { Project } from "./keeping/project";
 import { Opener } from "./opening/opener";
-import { Receiver } from "./opening/receiver";
+import { namesBeside, Receiver } from "./opening/receiver";
 import { HiddenTab } from "./run/hidden-tab";
 import { Placer } from "./run/placer";
 import { Runs } from "./run/runs";
@@ -92,11 +92,13 @@ export class Studio implements Parts {
     const asked = hash.length > 1 ? this.doc.task : null;
     this.runs.offer(await recalled);
     if (asked) this.opener.choose(asked);
-    if (!(await opening)) await this.opener.example();
-    this.engine.call("settings", { tasks: this.tasks.map(({ name }) => name) }).then(
+    if (!(await opening) && !namesBeside(hash)) await this.opener.example();
+    await this.engine.call("settings", { tasks: this.tasks.map(({ name }) => name) }).then(
       (tables) => this.options.learn(tables),
       (error: unknown) => this.warn(explain(error, "The engine")),
     );
+    // With its settings, which are known only now.
+    await this.receiver.beside(hash);
   }
 
   /** Does what people can do, where it can be done now. */

@@ -1,11 +1,14 @@
 /** What people drop, paste or follow: brought to whoever takes it. */
 
 import { fragmentIn } from "../address/pasted";
-import { DURING_A_RUN } from "../common/words";
+import { DURING_A_RUN, explain } from "../common/words";
 import type { Bench } from "../contract/bench";
 import type { Taker, Task } from "../contract/task";
 import { sortFiles } from "./files";
 import type { Opener } from "./opener";
+
+/** Whether an address names files that lie beside the page. */
+export const namesBeside = (hash: string): boolean => /[#&]open=/.test(hash);
 
 export class Receiver {
   constructor(
@@ -46,7 +49,19 @@ export class Receiver {
   /** Shows what an address asks for. */
   async fragment(hash: string): Promise<void> {
     if (this.bench.busy) this.bench.warn(DURING_A_RUN);
-    else if (!(await this.opener.fragment(hash))) await this.opener.example();
+    else if (!(await this.opener.fragment(hash)) && !(await this.beside(hash))) await this.opener.example();
+  }
+
+  /** Opens what an address names of the gallery; false where it names nothing. */
+  async beside(hash: string): Promise<boolean> {
+    if (!namesBeside(hash)) return false;
+    try {
+      const { filesBeside } = await import("./beside");
+      for (const file of await filesBeside(hash)) await this.files([file]);
+    } catch (error) {
+      this.bench.warn(explain(error, "The work"));
+    }
+    return true;
   }
 
   private get task(): Task {

@@ -147,8 +147,12 @@ export const layout = css`
     #part-pictures.one {
       grid-template-columns: minmax(0, 1fr);
     }
-    #part-pictures remedy-list {
+    #part-pictures :is(remedy-list, .gallery) {
       grid-column: 1 / -1;
+    }
+    .gallery {
+      padding-block: 12px;
+      color: var(--copper-text);
     }
     pad-editor,
     mask-editor {

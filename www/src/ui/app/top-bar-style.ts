@@ -21,6 +21,14 @@ export const topBarStyle = css`
     font-weight: 600;
     color: var(--copper-text);
   }
+  .gallery {
+    padding: 10px 0;
+    color: var(--quiet);
+    text-decoration: none;
+  }
+  .gallery:hover {
+    color: var(--ink);
+  }
   .tools {
     display: flex;
     align-items: center;
@@ -49,6 +57,9 @@ export const topBarStyle = css`
     h1 {
       position: absolute;
       clip-path: inset(50%);
+    }
+    .gallery {
+      display: none;
     }
   }
 `;

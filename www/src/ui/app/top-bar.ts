@@ -31,6 +31,7 @@ export class TopBar extends Part {
     return html`
       <h1>Wire<b>4D</b></h1>
       ${taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
+      <a class="gallery" href="./gallery.html">Gallery</a>
       <div class="tools">
         ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
         <button class="share" ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} Share</button>

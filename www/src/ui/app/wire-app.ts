@@ -82,7 +82,7 @@ export class WireApp extends LitElement {
             aria-label=${panel}
             ?hidden=${this.folded("pictures")}
           >
-            ${parts?.pads(ofTask) ?? nothing}
+            ${parts?.pads(ofTask) ?? nothing} ${this.narrow.matches ? html`<a class="gallery" href="./gallery.html">Gallery</a>` : nothing}
           </section>
         </div>
         <wire-stage
