@@ -3,7 +3,7 @@
  * is shown on the stage is left alone.
  */
 
-import { boundsOf, type BodyShape } from "./body";
+import { Body, boundsOf, type BodyShape } from "./body";
 import { Easel } from "./easel";
 import type { Film, Moment } from "./film";
 import { shown } from "./gl";
@@ -73,7 +73,10 @@ export class Darkroom {
     this.easel = new Easel(gl);
     const samples = Math.max(FEWEST_SAMPLES, Math.min(MOST_SAMPLES, SAMPLES_PER_PIXEL * Math.max(size.width, size.height)));
     this.way = new Way(subject.wires, Math.round(subject.body ? ON_BODY * samples : samples));
-    this.painter.loadBody(subject.body);
+    if (subject.body) {
+      this.painter.body = new Body(gl);
+      this.painter.body.load(subject.body);
+    }
   }
 
   /** One picture: on the canvas in one piece, so for sizes of up to 2048 pixels a side. */
