@@ -15,7 +15,8 @@ import { labelsOf } from "./labels";
 import { pngOfSvg } from "./png";
 import { MOST_IN_QR, qrOf, qrSvg, type QrCode } from "./qr";
 import { shareDialogStyle } from "./share-dialog-style";
-import { simplified, type Simplified } from "./simplified";
+import type { Simplified } from "../../engine/protocol";
+import { simplified } from "./simplified";
 import { webPage } from "./web-page";
 import { altOf, titleOf } from "./wire-words";
 
