@@ -103,6 +103,8 @@ pub fn made(run: &Run, report: &Report, given: Carried) -> Result<Sculpture> {
 
 /// Characters of what a person calls a picture.
 const MOST_OF_A_NAME: usize = 60;
+/// Steps between black and white in what a file carries of a drawing: more would only make files larger.
+const SHADES: f32 = 15.0;
 
 /// A picture as a wire's file carries it: its ink black on white, at most [`MAX_DRAWING_PX`] a side.
 pub fn silhouette(view: &str, name: &str, ink: &Image) -> Result<Silhouette> {
@@ -113,7 +115,8 @@ pub fn silhouette(view: &str, name: &str, ink: &Image) -> Result<Silhouette> {
         let (right, bottom) = ((columns + shrink).min(ink.width), (rows + shrink).min(ink.height));
         let sum: f32 =
             (rows..bottom).map(|y| ink.data[y * ink.width + columns..y * ink.width + right].iter().sum::<f32>()).sum();
-        1.0 - sum / ((right - columns) * (bottom - rows)) as f32
+        let share = 1.0 - sum / ((right - columns) * (bottom - rows)) as f32;
+        (share * SHADES).round() / SHADES
     };
     let shades = Image { width, height, data: (0..width * height).map(level).collect() };
     let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy();

@@ -11,8 +11,6 @@ import { openSite } from "./site";
 
 const PREFIX = "/some/where/";
 const MOST_POSTER = 25_000;
-/** Gzipped, before posters and the element. */
-const MOST_PAGE = 60_000;
 const { browser, site } = await openSite(PREFIX);
 
 const gallery = (hash = "", options = {}) => visit(browser, `${site.url}gallery.html${hash}`, options);
@@ -34,8 +32,6 @@ it.each([[360, 740], [820, 1100], [1440, 900]])("lists its works %i px wide, pos
   // Those far below are not asked for, and none of the other colours.
   expect(postersIn(requests).length).toBeLessThan(works.length);
   expect(postersIn(requests).some((url) => url.endsWith("-dark.jpg"))).toBe(false);
-  const bytes = site.sent.filter(({ file }) => !/\.jpg$/.test(file)).reduce((sum, sent) => sum + sent.bytes, 0);
-  expect(bytes).toBeLessThanOrEqual(MOST_PAGE);
   expect(site.sent.some(({ file }) => file === "wire-sculpture.js")).toBe(false);
   await page.locator(".cards > li").last().scrollIntoViewIfNeeded();
   await expect.poll(() => postersIn(requests).some((url) => url.endsWith(`/${works.at(-1)!.name}.jpg`))).toBe(true);

@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
-import { ELEMENT_KB, elementBytes, firstView, FIRST_VIEW_KB, FILES_KB, MESH_KB, RUNTIME_KB, runtimeBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
+import { ELEMENT_KB, elementBytes, firstView, FIRST_VIEW_KB, GALLERY_KB, galleryPage, FILES_KB, MESH_KB, RUNTIME_KB, runtimeBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
 import { DIST } from "./browser";
 
 it("a first view without wasm", async () => {
@@ -28,4 +28,10 @@ it("the element, which is one module", () => {
   // It fetches nothing more, in no page and in no worker.
   const module = readFileSync(join(DIST, "wire-sculpture.js"), "utf8");
   expect(module.match(/\bimport\s*\(|\bfrom\s*["']/g)).toBeNull();
+});
+
+it("the gallery's page without its posters", async () => {
+  const sent = await galleryPage();
+  for (const kind of [/\.html$/, /\.js$/, /\.css$/]) expect(sent.some(({ file }) => kind.test(file))).toBe(true);
+  expect(total(sent)).toBeLessThanOrEqual(1000 * GALLERY_KB);
 });

@@ -14,6 +14,7 @@ const CATEGORIES = ["performance", "accessibility", "best-practices"] as const;
 /** The app, and the pages beside it; those are also to be found. */
 const PAGES: readonly { readonly name: string; readonly path: string; readonly categories: readonly string[] }[] = [
   { name: "app", path: "", categories: CATEGORIES },
+  { name: "gallery.html", path: "gallery.html", categories: [...CATEGORIES, "seo"] },
   { name: "docs.html", path: "docs.html", categories: [...CATEGORIES, "seo"] },
   { name: "embed.html", path: `embed.html#w=${exampleCode()}&shadow&views`, categories: [...CATEGORIES, "seo"] },
 ];

@@ -3,6 +3,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
+import type { Page } from "playwright-core";
 import { DIST, launch, serveDist, settled, visit, type Sent } from "../browser/browser";
 import type { Account, Row } from "./budget";
 
@@ -13,19 +14,25 @@ export const WASM_KB = 740;
 export const MESH_KB = 165;
 /** The module that writes files and simpler links, which is fetched when somebody saves or shares. */
 export const FILES_KB = 165;
+export const GALLERY_KB = 60;
 /** What computes networks from files, a script and a module: on the processor, and on a graphics card. Fetched when one is opened. */
 export const RUNTIME_KB = { "ort.wasm": 3_900, "ort.webgpu": 6_800 } as const;
 /** `<wire-sculpture>`, in one module. */
 export const ELEMENT_KB = 40;
 
 /** Every file but the main wasm that a fresh visit asks for until its wire is shown and nothing more comes; largest first. */
-export async function firstView(): Promise<Sent[]> {
+export const firstView = (): Promise<Sent[]> => sentTo("", settled, (file) => !/wire4d_bg-[^/]*\.wasm$/.test(file));
+
+/** The same of the gallery's page, without its posters. */
+export const galleryPage = (): Promise<Sent[]> => sentTo("gallery.html", (page) => page.waitForLoadState("networkidle"), (file) => !file.endsWith(".jpg"));
+
+async function sentTo(path: string, done: (page: Page) => Promise<unknown>, counts: (file: string) => boolean): Promise<Sent[]> {
   const site = await serveDist("/");
   const browser = await launch();
   try {
-    const { page } = await visit(browser, site.url);
-    await settled(page);
-    return site.sent.filter(({ file }) => !/wire4d_bg-[^/]*\.wasm$/.test(file)).sort((a, b) => b.bytes - a.bytes);
+    const { page } = await visit(browser, site.url + path);
+    await done(page);
+    return site.sent.filter(({ file }) => counts(file)).sort((a, b) => b.bytes - a.bytes);
   } finally {
     await browser.close();
     site.server.close();
@@ -66,6 +73,7 @@ export async function sizes(): Promise<Account> {
     row("guidance runtime, gzipped, fetched when guidance is switched on", RUNTIME_KB["ort.wasm"], runtimeBytes("ort.wasm")),
     row("the same for a graphics card", RUNTIME_KB["ort.webgpu"], runtimeBytes("ort.webgpu")),
     row("the element, gzipped", ELEMENT_KB, elementBytes()),
+    row("the gallery's page without its posters, gzipped", GALLERY_KB, total(await galleryPage())),
   ];
   return { rows, notes: ["First view:", ...sent.map(({ file, bytes }) => `- ${kb(bytes)} ${file}`), ""] };
 }
