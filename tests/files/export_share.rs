@@ -229,7 +229,9 @@ fn simplified_wires_fit_and_say_how_far_they_are_off() {
             simplified.code.len()
         );
         let opened = open_share_code(&simplified.code).unwrap();
-        assert!(opened.wire.control_points().len() < 1500);
+        // Coarser steps alone may do; where they do not, there are fewer points.
+        assert!(opened.wire.control_points().len() <= 1500);
+        assert!(most > 1500 || opened.wire.control_points().len() < 1500);
         assert_eq!(opened.views, sculpture.views);
         // The more room, the nearer.
         assert!(simplified.mean_px < before && simplified.mean_px < simplified.most_px, "{simplified:?}");

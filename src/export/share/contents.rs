@@ -2,7 +2,7 @@
 //! the format once for both directions.
 
 use super::guess::MAX_NUMBER;
-use super::range::{Coder, Model, NumberModels};
+use super::range::{Coder, Model, Nonsense, NumberModels};
 use super::series;
 use crate::view::{Projection, View};
 use crate::wire::{Form, MAX_CONTROL_POINTS};
@@ -40,10 +40,6 @@ const MAX_NAME_BYTES: u64 = 256;
 const TASKS: [&str; 3] = ["multiview", "stroke", "fill"];
 /// Low bits of a step that are 0 in version 2: it is one of sixteen in an octave.
 pub const STEP_ZEROS: u32 = 19;
-/// The code says something no wire has.
-#[derive(Debug)]
-pub struct Nonsense;
-
 impl Contents {
     /// Writes `self`, or reads into `self`, as a code of that version.
     pub fn transcode(&mut self, coder: &mut impl Coder, version: u8) -> Result<(), Nonsense> {

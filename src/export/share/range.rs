@@ -3,6 +3,10 @@
 //! [`Coder`] has one set of methods for both directions: an [`Encoder`] writes the value it is given and returns it, a
 //! [`Decoder`] ignores the value and returns what it reads. So a format is written down once and cannot differ.
 
+/// The code says something no wire has.
+#[derive(Debug)]
+pub struct Nonsense;
+
 /// Probability that a bit is 1, learned as it goes.
 #[derive(Debug, Clone, Copy)]
 pub struct Model {

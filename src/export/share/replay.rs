@@ -4,9 +4,9 @@
 //! of control points changed, the wire before is taken as a polyline with as many corners. Bytes are
 //! `[version][range-coded wires][CRC-32 of all before]`.
 
-use super::contents::{KnotCode, Nonsense, STEP_ZEROS, transcode_step};
+use super::contents::{KnotCode, STEP_ZEROS, transcode_step};
 use super::grid::{nearest, point_from, short};
-use super::range::{Coder, Decoder, Encoder};
+use super::range::{Coder, Decoder, Encoder, Nonsense};
 use super::series::{self, Following};
 use super::{knot_code, knots_from};
 use crate::wire::{Form, MAX_CONTROL_POINTS, Wire};

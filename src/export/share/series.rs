@@ -1,8 +1,7 @@
 //! The order in which control points are written, and what each is guessed from.
 
-use super::contents::Nonsense;
 use super::guess::{MAX_NUMBER, Series};
-use super::range::Coder;
+use super::range::{Coder, Nonsense};
 
 /// Weights of what guesses are made from, before anything is known.
 const POINT_WEIGHTS: [f64; 4] = [0.95, -0.15, 0.05, 0.0];
