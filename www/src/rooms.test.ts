@@ -7,6 +7,8 @@ import { describe, expect, it } from "vitest";
 const SRC = import.meta.dirname;
 /** The package with the element, which every room may use (`#sculpture/…`), and which uses none. */
 const SCULPTURE = join(SRC, "../packages/wire-sculpture/src");
+/** Its rooms, lowest first; `index.ts` uses all. */
+const SCULPTURE_ROOMS: readonly string[] = ["scene", "share", "film", "element"];
 /**
  * The rooms, lowest first: a room imports from itself and from those before it. A room may have rooms of its own, in the
  * same order. What of a task brings no elements lies in its folder and comes before `ui`; its elements lie in `parts/`.
@@ -100,6 +102,14 @@ it("keeps the sculpture's element free of the page", () => {
     return all.filter((path) => relative(SCULPTURE, resolve(SCULPTURE, file, "..", path)).startsWith("..") || !path.startsWith(".")).map((path) => `${file} → ${path}`);
   });
   expect(elsewhere).toEqual([]);
+  const floor = (path: string): number => (path.includes("/") ? SCULPTURE_ROOMS.indexOf(path.split("/")[0]!) : SCULPTURE_ROOMS.length);
+  const upward = sources.flatMap((file) =>
+    named(readFileSync(join(SCULPTURE, file), "utf8"))
+      .map((path) => relative(SCULPTURE, resolve(SCULPTURE, file, "..", path)))
+      .filter((path) => floor(path) < 0 || floor(path) > floor(file))
+      .map((path) => `${file} → ${path}`),
+  );
+  expect(upward).toEqual([]);
 });
 
 it("goes round nowhere", () => {

@@ -1,6 +1,6 @@
 /** The main wasm module in the page's own words: what tasks share of it. Only for the worker. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { DiffusionOptions, GuidanceDenoiser, GuidanceEncoder, GuidanceNetwork, WordsOptions } from "./wasm/wire4d";
 import type { Backend, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";

@@ -1,6 +1,6 @@
 /** Lays words over a run: each view's, as networks know them. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import { GuidanceError } from "../guidance/fault";
 import type { Diffuser } from "../guidance/diffusers";
 import type { Readers } from "../guidance/readers";

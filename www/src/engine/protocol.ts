@@ -1,7 +1,7 @@
 /** The messages between page and worker. Each request gets exactly one answer; a run also sends news on its way. */
 
-import type { WireShape } from "#sculpture/shape";
-import type { View } from "#sculpture/view";
+import type { WireShape } from "#sculpture/scene/shape";
+import type { View } from "#sculpture/scene/view";
 import type { Answers, Kind } from "../guidance/contract";
 import type { Facts } from "../guidance/model";
 import type { Provider } from "../guidance/runtime";

@@ -1,6 +1,6 @@
 /** Answers the page's calls, one worker a page. It keeps the run under way. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import { openShareCode } from "#sculpture/share/code";
 import { loaded, type CoreRun } from "./core";
 import type { Answer, Calls, Control, Finished, Guide, News, Request } from "./protocol";

@@ -1,6 +1,6 @@
 /** Has pictures and films made in a worker, so that the page waits for none of them. */
 
-import type { Subject } from "#sculpture/darkroom";
+import type { Subject } from "#sculpture/film/darkroom";
 import type { FilmOrder, Order, Preview, Progress, StillOrder, Told } from "./orders";
 
 /** Somebody gave it up. */

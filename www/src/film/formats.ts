@@ -1,6 +1,6 @@
 /** What a film can be saved as in this browser. */
 
-import type { Size } from "#sculpture/darkroom";
+import type { Size } from "#sculpture/film/darkroom";
 
 export type FilmFormat = "mp4" | "webm" | "gif";
 

@@ -1,7 +1,7 @@
 /** Frames into a GIF, all with the same colours: with others in each, walls would flicker. */
 
 import { applyPalette, GIFEncoder, quantize, type Palette } from "gifenc";
-import type { Size } from "#sculpture/darkroom";
+import type { Size } from "#sculpture/film/darkroom";
 import { GIF_FPS } from "./formats";
 import type { Sink } from "./sink";
 

@@ -1,7 +1,7 @@
 /** Where pictures and films are made: answers orders. */
 
-import { Darkroom, type Size, type Subject } from "#sculpture/darkroom";
-import { momentsOf } from "#sculpture/film";
+import { Darkroom, type Size, type Subject } from "#sculpture/film/darkroom";
+import { momentsOf } from "#sculpture/film/film";
 import { fpsOf } from "./formats";
 import { FILMS, secondsOf, type FilmOrder, type Order, type Preview, type Progress, type StillOrder, type Told } from "./orders";
 import type { Sink } from "./sink";

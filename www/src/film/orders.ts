@@ -1,8 +1,8 @@
 /** What is asked of whoever makes pictures and films, and what it answers. */
 
-import type { Ground, Size, Subject } from "#sculpture/darkroom";
-import { FOUND, TURNTABLE } from "#sculpture/film";
-import type { Pose, Vantage } from "#sculpture/orbit";
+import type { Ground, Size, Subject } from "#sculpture/film/darkroom";
+import { FOUND, TURNTABLE } from "#sculpture/film/film";
+import type { Pose, Vantage } from "#sculpture/scene/orbit";
 import type { Choice } from "./formats";
 
 export const FILMS = { turntable: TURNTABLE, found: FOUND } as const;

@@ -1,7 +1,7 @@
 /** Frames into a video: the browser's encoder, and a muxer around what it gives. */
 
 import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Mp4OutputFormat, Output, WebMOutputFormat } from "mediabunny";
-import type { Size } from "#sculpture/darkroom";
+import type { Size } from "#sculpture/film/darkroom";
 import { encoderConfig, VIDEO_FPS, type Choice } from "./formats";
 import type { Sink } from "./sink";
 

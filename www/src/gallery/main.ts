@@ -1,7 +1,7 @@
 /** The gallery: a click opens a work, which plays how it was found; its address is the page's with the work's name. */
 
 import works from "../../gallery/works.json";
-import type { WireSculpture } from "#sculpture/element";
+import type { WireSculpture } from "#sculpture/element/element";
 import { text } from "./cards";
 import { addressOf, fileOf, KINDS, meshOf, namesOf, picturesOf, type Work } from "./works";
 

@@ -3,7 +3,7 @@
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
-import { fromJson } from "#sculpture/source";
+import { fromJson } from "#sculpture/element/source";
 import works from "../../gallery/works.json";
 import { cards } from "./cards";
 import { addressOf, fileOf, KINDS, meshOf, namesOf, picturesOf, type Work } from "./works";

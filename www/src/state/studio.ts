@@ -1,6 +1,6 @@
 /** Puts together what there is behind the page: its parts, and the state that follows from them. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import { EngineClient } from "../engine/client";
 import type { Backend } from "../engine/protocol";
 import type { Action, Parts } from "./actions/action";

@@ -1,6 +1,6 @@
 import { css, html, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Target, View } from "../engine/protocol";
 import { percent } from "../state/common/words";
 import { Part } from "./part";

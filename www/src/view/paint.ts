@@ -1,6 +1,6 @@
 /** Flat pictures on a 2D canvas: ink, and a wire as one view shows it. */
 
-import type { Samples } from "#sculpture/shape";
+import type { Samples } from "#sculpture/scene/shape";
 import type { Ink, View } from "../engine/protocol";
 import { project } from "./project";
 

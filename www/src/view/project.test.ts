@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { sampleWire } from "#sculpture/shape";
+import { sampleWire } from "#sculpture/scene/shape";
 import type { View } from "../engine/protocol";
 import { project } from "./project";
 

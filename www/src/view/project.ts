@@ -1,7 +1,7 @@
 /** World to pixels for a view of wire.json, for flat drawings. The same formulas as the core's cameras. */
 
 import type { View } from "../engine/protocol";
-import type { Samples } from "#sculpture/shape";
+import type { Samples } from "#sculpture/scene/shape";
 
 type Vec3 = readonly [number, number, number];
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

@@ -1,6 +1,6 @@
 /** Small flat pictures of a wire that may change many times a second, painted a little a frame: none keeps the page from anything. */
 
-import { Sampler, samplesPerSpan, type Samples, type WireShape } from "#sculpture/shape";
+import { Sampler, samplesPerSpan, type Samples, type WireShape } from "#sculpture/scene/shape";
 import type { Ink, View } from "../engine/protocol";
 import { pageColours } from "./colours";
 import { paintInk, paintWire, PLAIN } from "./paint";

@@ -1,6 +1,6 @@
 //! A wire in its room as the stage shows it, drawn without a graphics card: three walls, on each the shadow that the wire
 //! casts along that axis, and the wire as round, polished copper. What the stage's shaders do
-//! (www/packages/wire-sculpture/src/shaders.ts) is done here for each pixel, in the same colours and under the same lamps.
+//! (www/packages/wire-sculpture/src/scene/shaders.ts) is done here for each pixel, in the same colours and under the same lamps.
 
 use super::vector::{Vec3, along, dot, minus, mix, plus, smoothstep, times, unit};
 use image::{RgbImage, imageops};
@@ -38,7 +38,7 @@ pub struct Paint {
     shadow: [u8; 3],
 }
 
-/// The stage's own by day and by night (www/packages/wire-sculpture/src/looks.ts).
+/// The stage's own by day and by night (www/packages/wire-sculpture/src/scene/tints.ts).
 pub const LIGHT: Paint = Paint {
     metal: [0xbf, 0x76, 0x40],
     sky: [0xef, 0xeb, 0xe4],

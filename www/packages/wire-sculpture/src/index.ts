@@ -3,15 +3,15 @@
  * itself has started, the same module draws.
  */
 
-import { WireSculpture } from "./element";
-import { startOwnWorker, WORKER_NAME } from "./own-worker";
-import { serve } from "./serving";
+import { WireSculpture } from "./element/element";
+import { startOwnWorker, WORKER_NAME } from "./scene/own-worker";
+import { serve } from "./scene/serving";
 
 export { WireSculpture };
-export type { SculptureState, ViewChange } from "./element";
-export type { LookName } from "./looks";
-export type { WireShape } from "./shape";
-export type { View } from "./view";
+export type { SculptureState, ViewChange } from "./element/element";
+export type { LookName } from "./scene/looks";
+export type { WireShape } from "./scene/shape";
+export type { View } from "./scene/view";
 
 if (typeof document === "undefined") {
   if ((globalThis as { name?: string }).name === WORKER_NAME) serve();

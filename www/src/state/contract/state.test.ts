@@ -1,5 +1,5 @@
 import { beforeEach, expect, it } from "vitest";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import { Store } from "../common/store";
 import type { Made } from "../keeping/document";
 import { freshTrack } from "../keeping/track";

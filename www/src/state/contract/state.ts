@@ -1,6 +1,6 @@
 /** Everything the page shows, in one value. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Place, SettingsTable, SettingsTables, Target, View } from "../../engine/protocol";
 import { remembered } from "../common/remember";
 import type { Store } from "../common/store";

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Finished, Frame, News, SettingValues, Snapshot } from "../../engine/protocol";
 import { NO_RUN, type RunState } from "../contract/state";
 import type { Task } from "../contract/task";

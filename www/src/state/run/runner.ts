@@ -1,7 +1,7 @@
 /** One run at a time: what the worker tells of it becomes a track, progress, and wires to look at. */
 
 import { Cancelled, type EngineClient } from "../../engine/client";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Finished, Frame, News, Place, Snapshot } from "../../engine/protocol";
 import { asSentence } from "../common/words";
 import { READY, type RunState } from "../contract/state";

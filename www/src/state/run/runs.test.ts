@@ -1,5 +1,5 @@
 import { beforeEach, expect, it, vi } from "vitest";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Finished, Snapshot } from "../../engine/protocol";
 import { testBench, type TestBench } from "../contract/test-bench";
 import type { Task } from "../contract/task";

@@ -1,6 +1,6 @@
 /** Runs from their beginning to the wire they come to. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Finished } from "../../engine/protocol";
 import { explain } from "../common/words";
 import type { Bench } from "../contract/bench";

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Cancelled, Problem } from "../../engine/client";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Cover } from "./given";
 import type { FoundSurface } from "./protocol";
 import { Coverer, NO_COVER, type CoverState, type Wish } from "./coverer";

@@ -5,7 +5,7 @@
 
 import { Cancelled } from "../../engine/client";
 import type { SettingValues } from "../../engine/protocol";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import { explain } from "../../state/common/words";
 import { meshKey, workOf, type Cover } from "./given";
 import type { FillWork, FoundSurface, Mesh } from "./protocol";

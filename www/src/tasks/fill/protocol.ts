@@ -1,6 +1,6 @@
 /** What the page's end of this task and its engine tell each other. */
 
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Picture } from "../../engine/protocol";
 
 /** Shapes and styles by formula, by the core's words, in the order people are shown. */

@@ -1,7 +1,7 @@
 /** Everything with a key, and what only the page can do: look from somewhere, share, help. */
 
 import { deskOf } from "../../state/keeping/document";
-import type { ViewName } from "#sculpture/stage";
+import type { ViewName } from "#sculpture/scene/stage";
 import type { Action, Parts } from "../../state/actions/action";
 import { pause, redo, run, undo } from "../../state/actions/actions";
 

@@ -1,6 +1,6 @@
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import type { LookName } from "#sculpture/looks";
+import type { LookName } from "#sculpture/scene/looks";
 import type { Faults } from "../../engine/protocol";
 import { nextTurn } from "../../state/common/next-turn";
 import { remember, remembered } from "../../state/common/remember";

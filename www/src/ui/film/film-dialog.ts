@@ -1,10 +1,10 @@
 import { html, LitElement, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { BodyShape } from "#sculpture/body";
-import type { Size } from "#sculpture/darkroom";
-import { LOOK_NAMES, type LookName } from "#sculpture/looks";
-import type { Pose, Vantage, ViewName } from "#sculpture/orbit";
-import type { WireShape } from "#sculpture/shape";
+import type { BodyShape } from "#sculpture/scene/body";
+import type { Size } from "#sculpture/film/darkroom";
+import { LOOK_NAMES, type LookName } from "#sculpture/scene/looks";
+import type { Pose, Vantage, ViewName } from "#sculpture/scene/orbit";
+import type { WireShape } from "#sculpture/scene/shape";
 import { bestChoice, formatWords, GIF, sizeFor, type Choice } from "../../film/formats";
 import { Filmer, GivenUp } from "../../film/filmer";
 import { secondsOf, type Progress } from "../../film/orders";

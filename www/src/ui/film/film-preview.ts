@@ -1,6 +1,6 @@
 import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import type { Size } from "#sculpture/darkroom";
+import type { Size } from "#sculpture/film/darkroom";
 import { Part } from "../../view/part";
 import { GivenUp, type Filmer } from "../../film/filmer";
 import { secondsOf, type FilmName, type StillOrder } from "../../film/orders";

@@ -1,7 +1,7 @@
 /** The looks as words, and as the colours that a picture has on light walls or dark ones. */
 
-import { lookOf, type Look, type LookName } from "#sculpture/looks";
-import { usualTints } from "#sculpture/tints";
+import { lookOf, type Look, type LookName } from "#sculpture/scene/looks";
+import { usualTints } from "#sculpture/scene/tints";
 
 export const LOOK_WORDS: Readonly<Record<LookName, string>> = {
   copper: "Copper",

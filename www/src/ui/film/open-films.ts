@@ -1,9 +1,9 @@
 /** Opens the dialog of pictures and films. */
 
-import type { BodyShape } from "#sculpture/body";
-import type { SculptureState } from "#sculpture/element";
-import type { LookName } from "#sculpture/looks";
-import type { Pose, ViewName } from "#sculpture/orbit";
+import type { BodyShape } from "#sculpture/scene/body";
+import type { SculptureState } from "#sculpture/element/element";
+import type { LookName } from "#sculpture/scene/looks";
+import type { Pose, ViewName } from "#sculpture/scene/orbit";
 import type { Made } from "../../state/keeping/document";
 import type { StageWords } from "../shared/page-task";
 import { FilmDialog } from "./film-dialog";

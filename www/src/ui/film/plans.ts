@@ -1,6 +1,6 @@
 /** What people can choose of a picture or a film, and what its file is called. */
 
-import type { Size } from "#sculpture/darkroom";
+import type { Size } from "#sculpture/film/darkroom";
 import type { FilmName } from "../../film/orders";
 
 export type Kind = "picture" | FilmName;

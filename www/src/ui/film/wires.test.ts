@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Made } from "../../state/keeping/document";
 import { wayOf, wiresFor } from "./wires";
 

@@ -2,7 +2,7 @@
 
 import { fromBase64 } from "#sculpture/share/base64";
 import { openReplay } from "#sculpture/share/replay";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Made } from "../../state/keeping/document";
 
 /** As many as a film has moments of change; the way between them is drawn evenly. */

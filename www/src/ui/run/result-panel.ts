@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import type { Faults } from "../../engine/protocol";
 import { deskOf, type Made, type StudioState } from "../../state/studio";
 import { match } from "../../view/likeness";

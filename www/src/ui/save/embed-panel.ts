@@ -1,6 +1,6 @@
 import { html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { LookName } from "#sculpture/looks";
+import type { LookName } from "#sculpture/scene/looks";
 import type { Studio } from "../../state/studio";
 import { viewWords } from "../../view/heading";
 import { icons } from "../shared/icons";

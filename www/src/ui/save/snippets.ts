@@ -1,6 +1,6 @@
 /** What somebody puts into a page of their own to show a wire there. */
 
-import type { LookName } from "#sculpture/looks";
+import type { LookName } from "#sculpture/scene/looks";
 import { escaped, written, type Attributes } from "./markup";
 
 /** How the wire is to be shown. */

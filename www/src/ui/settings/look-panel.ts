@@ -1,6 +1,6 @@
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { LOOK_NAMES, type LookName } from "#sculpture/looks";
+import { LOOK_NAMES, type LookName } from "#sculpture/scene/looks";
 import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";

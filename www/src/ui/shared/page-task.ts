@@ -1,8 +1,8 @@
 /** What the page's elements need of a task, besides what state does. */
 
 import type { TemplateResult } from "lit";
-import type { BodyShape } from "#sculpture/body";
-import type { ViewName } from "#sculpture/stage";
+import type { BodyShape } from "#sculpture/scene/body";
+import type { ViewName } from "#sculpture/scene/stage";
 import type { Task, Taker } from "../../state/contract/task";
 import type { Made, Studio, StudioState } from "../../state/studio";
 import type { Heading } from "../../view/heading";

@@ -1,8 +1,8 @@
 import { customElement } from "lit/decorators.js";
-import { startWorker } from "#sculpture/aside";
-import { WireSculpture } from "#sculpture/element";
-import type { WireShape } from "#sculpture/shape";
-import type { Vantage } from "#sculpture/stage";
+import { startWorker } from "#sculpture/scene/aside";
+import { WireSculpture } from "#sculpture/element/element";
+import type { WireShape } from "#sculpture/scene/shape";
+import type { Vantage } from "#sculpture/scene/stage";
 import type { Heading } from "../../view/heading";
 import type { StageWords } from "../shared/page-task";
 import { wireStageStyle } from "./wire-stage-style";

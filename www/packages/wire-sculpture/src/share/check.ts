@@ -1,6 +1,6 @@
 /** What makes a wire and a view valid: the same rules as the core's, for codes that were made up. */
 
-import type { View } from "../view";
+import type { View } from "../scene/view";
 
 /** Spline: simple knots. Chain and bag: Béziers that share their ends, or nothing; knots are repeated 3 and 4 times. */
 export type Form = "spline" | "chain" | "bag";

@@ -2,7 +2,7 @@ import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
-import type { View } from "../view";
+import type { View } from "../scene/view";
 import { crc32, fromBase64 } from "./base64";
 import { codeIn, openShareCode, ShareCodeError } from "./code";
 

@@ -3,8 +3,8 @@
  * `src/export/share/mod.rs`; a code is base64url of `[version][range-coded contents][CRC-32 of all before]`.
  */
 
-import type { WireShape } from "../shape";
-import type { View } from "../view";
+import type { WireShape } from "../scene/shape";
+import type { View } from "../scene/view";
 import { crc32, fromBase64 } from "./base64";
 import { isView, wireProblem } from "./check";
 import { codesIn, type Found } from "./pasted";

@@ -1,6 +1,6 @@
 /** What a share code holds, and the order in which it is read. Twin of `src/export/share/contents.rs`. */
 
-import type { View } from "../view";
+import type { View } from "../scene/view";
 import { MAX_CONTROL_POINTS, type Form } from "./check";
 import { clamp, MAX_NUMBER } from "./guess";
 import { Models, Nonsense, numberModels, type RangeDecoder } from "./range";

@@ -3,7 +3,7 @@
  * `[version][range-coded wires][CRC-32 of all before]`.
  */
 
-import type { WireShape } from "../shape";
+import type { WireShape } from "../scene/shape";
 import { crc32 } from "./base64";
 import { wireProblem, type Form, MAX_CONTROL_POINTS } from "./check";
 import { ShareCodeError } from "./code";

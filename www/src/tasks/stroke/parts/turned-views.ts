@@ -1,6 +1,6 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import type { WireShape } from "#sculpture/shape";
+import type { WireShape } from "#sculpture/scene/shape";
 import { viewFrom } from "../../../view/heading";
 import { Part } from "../../../view/part";
 import { SmallPictures, type SmallPicture } from "../../../view/small-pictures";

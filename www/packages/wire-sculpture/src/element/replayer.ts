@@ -1,8 +1,8 @@
 /** How a wire was found: its earlier shapes one after the other, with a button and a slider. Loaded where there is any. */
 
 import { h, icon, setAttribute } from "./dom";
-import { openReplay } from "./share/replay";
-import type { WireShape } from "./shape";
+import { openReplay } from "../share/replay";
+import type { WireShape } from "../scene/shape";
 import type { Words } from "./words";
 
 /** How long all of it takes. */

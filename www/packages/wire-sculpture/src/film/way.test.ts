@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { WireShape } from "./shape";
+import type { WireShape } from "../scene/shape";
 import { Way } from "./way";
 
 /** A closed ring of that many control points and that radius. */

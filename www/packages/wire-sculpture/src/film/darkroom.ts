@@ -3,17 +3,17 @@
  * is shown on the stage is left alone.
  */
 
-import { Body, boundsOf, type BodyShape } from "./body";
-import { Easel } from "./easel";
+import { Body, boundsOf, type BodyShape } from "../scene/body";
+import { Easel } from "../scene/easel";
 import type { Film, Moment } from "./film";
-import { shown } from "./gl";
-import { tonesOf, type Look } from "./looks";
-import type { Mat4, Vec3 } from "./matrix";
-import { axesOf, cameraOf, directionOf, DIRECTIONS, framed, type Camera, type Pose, type Vantage } from "./orbit";
-import { Painter, WALL_AWAY } from "./painter";
-import { boxOf, cornersOf, ROOM_CORNERS, ROOM_SHARE, ROOM_SHARE_OF_BODIES, StageUnavailable, VIEW_SHARE } from "./scene";
-import type { WireShape } from "./shape";
-import { buildRings } from "./tube";
+import { shown } from "../scene/gl";
+import { tonesOf, type Look } from "../scene/looks";
+import type { Mat4, Vec3 } from "../scene/matrix";
+import { axesOf, cameraOf, directionOf, DIRECTIONS, framed, type Camera, type Pose, type Vantage } from "../scene/orbit";
+import { Painter, WALL_AWAY } from "../scene/painter";
+import { boxOf, cornersOf, ROOM_CORNERS, ROOM_SHARE, ROOM_SHARE_OF_BODIES, StageUnavailable, VIEW_SHARE } from "../scene/scene";
+import type { WireShape } from "../scene/shape";
+import { buildRings } from "../scene/tube";
 import { Way } from "./way";
 
 /** What stands before the camera. */

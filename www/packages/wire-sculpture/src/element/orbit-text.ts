@@ -1,6 +1,6 @@
 /** `camera-orbit`: "35deg 20deg 105%", which is azimuth, elevation and distance, as a share of where all is seen. */
 
-import type { Heading } from "./directions";
+import type { Heading } from "../scene/directions";
 
 const ANGLE = /^(-?\d*\.?\d+)(deg|rad)?$/;
 const SHARE = /^(\d*\.?\d+)%$/;

@@ -1,6 +1,6 @@
 /** The wires that a run went through, as one that moves. */
 
-import { sampleWire, samplesPerSpan, type Samples, type WireShape } from "./shape";
+import { sampleWire, samplesPerSpan, type Samples, type WireShape } from "../scene/shape";
 
 /**
  * The wire at a place between those that were kept, 0 to 1. Between two that are one line each, it moves evenly, however

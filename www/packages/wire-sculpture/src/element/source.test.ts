@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { fromCode, fromJson, SourceError } from "./source";
-import codes from "./testdata/codes.json";
+import codes from "../testdata/codes.json";
 
 const WIRE = { format: "wire4d", version: 1, closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], control_points: [[0, 0, 0, 0.1], [1, 0, 0, 0.1], [1, 1, 0, 0.1], [0, 1, 0, 0.1]] };
 const VIEW = { name: "front", projection: "orthographic", eye: [0, 0, 3], target: [0, 0, 0], up: [0, 1, 0], height_world: 2, width_px: 256, height_px: 256 };

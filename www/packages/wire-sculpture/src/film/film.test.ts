@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { turned } from "./darkroom";
 import { eased, FOUND, momentsOf, TURNTABLE } from "./film";
-import { DIRECTIONS, framed } from "./orbit";
+import { DIRECTIONS, framed } from "../scene/orbit";
 
 describe("a turntable", () => {
   it("goes on where it began, at an even pace", () => {

@@ -1,21 +1,21 @@
 /** The element: attributes and events outside, a stage and its buttons inside. */
 
 import { Bar } from "./bar";
-import type { BodyShape } from "./body";
+import type { BodyShape } from "../scene/body";
 import { join, leave, settle, type Member } from "./crowd";
 import { h, setAttribute } from "./dom";
-import { LOOK_NAMES, lookOf, type LookName } from "./looks";
-import type { Vec3 } from "./matrix";
-import { DIRECTIONS, type ViewName } from "./directions";
+import { LOOK_NAMES, lookOf, type LookName } from "../scene/looks";
+import type { Vec3 } from "../scene/matrix";
+import { DIRECTIONS, type ViewName } from "../scene/directions";
 import { orbitOf } from "./orbit-text";
 import { ATTRIBUTES, reflect, takeOver } from "./reflect";
-import type { WireShape } from "./shape";
+import type { WireShape } from "../scene/shape";
 import type { Replayer } from "./replayer";
 import type { Sculpture } from "./source";
-import { Stage, type Pose, type Vantage } from "./stage";
+import { Stage, type Pose, type Vantage } from "../scene/stage";
 import { styleSheet } from "./style";
-import { colourAt, tintsAt } from "./tints";
-import type { View } from "./view";
+import { colourAt, tintsAt } from "../scene/tints";
+import type { View } from "../scene/view";
 import { wordsOf, type Words } from "./words";
 
 /** What `view-change` tells: null where a person has turned it by hand. */

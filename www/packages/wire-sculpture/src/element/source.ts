@@ -1,11 +1,11 @@
 /** Sculptures from files and codes: what is there is read within bounds, and nothing of it is ever taken for markup. */
 
 import { carriedBy } from "./files";
-import { codeIn, openShareCode, ShareCodeError } from "./share/code";
-import { fromBase64 } from "./share/base64";
-import { isView, wireProblem } from "./share/check";
-import type { WireShape } from "./shape";
-import type { View } from "./view";
+import { codeIn, openShareCode, ShareCodeError } from "../share/code";
+import { fromBase64 } from "../share/base64";
+import { isView, wireProblem } from "../share/check";
+import type { WireShape } from "../scene/shape";
+import type { View } from "../scene/view";
 
 export interface Sculpture {
   readonly wire: WireShape;

@@ -1,6 +1,6 @@
 /** How the element looks. A sheet made by script: a page that allows no inline styles allows this one. */
 
-import { tintDeclarations } from "./tints";
+import { tintDeclarations } from "../scene/tints";
 
 const STYLE = `
 :host {

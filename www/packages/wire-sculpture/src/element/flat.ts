@@ -1,8 +1,8 @@
 /** A drawing of the wire for browsers that cannot draw in 3D: its samples, projected, as lines as thick as they are. */
 
 import { svg } from "./dom";
-import { axesOf, directionOf, type Vantage } from "./orbit";
-import { sampleWire, samplesPerSpan, type WireShape } from "./shape";
+import { axesOf, directionOf, type Vantage } from "../scene/orbit";
+import { sampleWire, samplesPerSpan, type WireShape } from "../scene/shape";
 
 const SAMPLES = 1200;
 /** Widths are told apart in so many steps, so that a wire is few paths. */

@@ -1,7 +1,7 @@
 /** The element's buttons. */
 
 import { h, icon, setAttribute, type Child, type ICONS } from "./dom";
-import { LOOK_NAMES, type LookName } from "./looks";
+import { LOOK_NAMES, type LookName } from "../scene/looks";
 import type { Words } from "./words";
 
 const TURN_RAD = Math.PI / 8;
