@@ -61,7 +61,7 @@ it.each([[360, 740], [1440, 900]])("opens a work %i px wide, says what it is, an
   await expect.poll(() => page.getByRole("dialog", { name: second!.title }).isVisible()).toBe(true);
   await page.keyboard.press("Escape");
   await expect.poll(() => page.locator("dialog[open]").count()).toBe(0);
-  expect(page.url()).toBe(`${site.url}gallery.html`);
+  await expect.poll(() => page.url()).toBe(`${site.url}gallery.html`);
   expect(faults).toEqual([]);
 });
 

@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { inspect } from "./a11y";
-import { idle, phase, visit } from "./browser";
+import { idle, phase, visit, settled } from "./browser";
 import { downloaded } from "./gestures";
 import { inkOn, padsReady } from "./pads";
 import { openSite } from "./site";
@@ -30,6 +30,7 @@ async function tabTo(page: Page, name: RegExp, key = "Tab"): Promise<void> {
 
 it("draws, types, runs, looks round, and saves by keys alone", async () => {
   const { page, faults } = await visit(browser, site.url);
+  await settled(page);
   await padsReady(page);
 
   // The first drawing with the pen: cursor keys move it, space puts it down.
@@ -82,10 +83,14 @@ it("draws, types, runs, looks round, and saves by keys alone", async () => {
 
 it("leaves the keys of fields alone, and lets people switch its own off", async () => {
   const { page } = await visit(browser, site.url);
+  await settled(page);
   await padsReady(page);
   const undoable = async () => page.getByRole("button", { name: /^Undo:/ }).count();
-  await page.locator("settings-panel summary").first().click();
   const field = page.locator("settings-panel input[type=number]").first();
+  await expect.poll(async () => {
+    if (!(await field.isVisible())) await page.locator("settings-panel summary").first().click();
+    return field.isVisible();
+  }).toBe(true);
   await field.focus();
   await page.keyboard.press("?");
   await expect.poll(() => page.getByRole("dialog").count()).toBe(0);

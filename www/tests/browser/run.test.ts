@@ -31,6 +31,8 @@ const range = () => page.getByLabel("The run, wire by wire");
 const looked = async () => ((await range().count()) ? Number(await range().inputValue()) : 0);
 
 it("turns three drawings into one wire: the loss falls, every view matches, a sentence says how well", async () => {
+  // The example's wire has come to stay: undo is to bring it back.
+  await expect.poll(() => page.locator(".verdict").textContent()).toMatch(/Make it again/);
   for (const [i, side] of ["front", "side", "top"].entries()) await give(page, i, join(DRAWINGS, "t07-outlines", `${side}.png`));
   await previewed(page);
   await choose(page, "preset", "fast");
