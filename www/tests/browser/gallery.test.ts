@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import works from "../../gallery/works.json";
 import { axeFaults, fits } from "./a11y";
-import { DIST, shoot, visit } from "./browser";
+import { DIST, settled, shoot, visit } from "./browser";
 import { openSite } from "./site";
 
 const PREFIX = "/some/where/";
@@ -89,4 +89,20 @@ it("hangs below the app for those who scroll there", async () => {
 it("says so where there is no such work", async () => {
   const { page } = await visit(browser, `${site.url}#open=gallery/works/../../secret.json`);
   await expect.poll(() => page.getByText("There is no work").count()).toBe(1);
+});
+
+it("pushes nothing about as the app above it comes", async () => {
+  const { page } = await visit(browser, site.url, { viewport: { width: 1440, height: 900 } });
+  await settled(page);
+  const shifted = await page.evaluate(
+    () =>
+      new Promise<number>((done) => {
+        const sum = (entries: PerformanceEntryList): number => entries.reduce((sum, entry) => sum + (entry as PerformanceEntry & { readonly value: number }).value, 0);
+        new PerformanceObserver((list) => done(sum(list.getEntries()))).observe({ type: "layout-shift", buffered: true });
+        setTimeout(() => done(0), 500);
+      }),
+  );
+  // What Lighthouse calls good.
+  expect(shifted).toBeLessThan(0.1);
+  await page.context().close();
 });
