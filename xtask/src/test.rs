@@ -60,6 +60,7 @@ fn web() -> Result {
         "--exitCode",
         "1",
         "src",
+        "packages",
         "../src",
         "../shaders",
         "../benches",
