@@ -74,6 +74,21 @@ struct Ball {
     unit: f64,
 }
 
+/// The curve as chords from point to next point, `[x, y, z, width]` each; a closed one ends where it begins.
+pub fn chords(wire: &Wire) -> Vec<[[f64; 4]; 2]> {
+    let (map, strokes) = wire.sampling_map::<f64>(8, false);
+    let mut points = Vec::new();
+    map.apply(wire.control_points(), &mut points);
+    let mut chords = Vec::new();
+    for stroke in strokes {
+        let points = &points[stroke.start..stroke.start + stroke.count];
+        let ends = points.iter().zip(points.iter().cycle().skip(1));
+        let count = if stroke.closed { stroke.count } else { stroke.count - 1 };
+        chords.extend(ends.take(count).map(|(&a, &b)| [a, b]));
+    }
+    chords
+}
+
 /// Balls along the wire, close enough for their union to look like a tube.
 fn balls(wire: &Wire, view: &View) -> Vec<Ball> {
     let camera = view.camera::<f64>();
@@ -82,20 +97,13 @@ fn balls(wire: &Wire, view: &View) -> Vec<Ball> {
         let unit = 0.5 * point[3].max(1e-9) / radius_px.max(1e-9);
         Ball { x_px, y_px, radius_px: radius_px.max(0.5 * THINNEST_PX), depth: camera.depth(point), unit }
     };
-    let (map, strokes) = wire.sampling_map::<f64>(8, false);
-    let mut points = Vec::new();
-    map.apply(wire.control_points(), &mut points);
     let mut balls = Vec::new();
-    for stroke in strokes {
-        let points = &points[stroke.start..stroke.start + stroke.count];
-        let ends = points.iter().zip(points.iter().cycle().skip(1));
-        for (a, b) in ends.take(if stroke.closed { stroke.count } else { stroke.count - 1 }) {
-            let [from, to] = [a, b].map(ball);
-            let apart = (to.x_px - from.x_px).hypot(to.y_px - from.y_px).hypot((to.depth - from.depth) / from.unit);
-            let steps = (apart / (STEP * from.radius_px)).ceil().clamp(1.0, 1e4) as usize;
-            let between = |k: usize| [0, 1, 2, 3].map(|c| a[c] + (b[c] - a[c]) * k as f64 / steps as f64);
-            balls.extend((0..steps).map(|k| ball(&between(k))));
-        }
+    for [a, b] in chords(wire) {
+        let [from, to] = [&a, &b].map(ball);
+        let apart = (to.x_px - from.x_px).hypot(to.y_px - from.y_px).hypot((to.depth - from.depth) / from.unit);
+        let steps = (apart / (STEP * from.radius_px)).ceil().clamp(1.0, 1e4) as usize;
+        let between = |k: usize| [0, 1, 2, 3].map(|c| a[c] + (b[c] - a[c]) * k as f64 / steps as f64);
+        balls.extend((0..steps).map(|k| ball(&between(k))));
     }
     balls
 }

@@ -3,6 +3,7 @@
 //! (www/packages/wire-sculpture/src/scene/shaders.ts) is done here for each pixel, in the same colours and under the same lamps.
 
 use super::vector::{Vec3, along, dot, minus, mix, plus, smoothstep, times, unit};
+use crate::tube::chords;
 use image::{RgbImage, imageops};
 use wire4d_core::wire::Wire;
 
@@ -88,21 +89,14 @@ pub fn draw(wire: &Wire, size: [usize; 2], paint: &Paint) -> RgbImage {
 
 /// Points along the wire, `[x, y, z, radius]`, so close that the balls round them look like a tube.
 fn samples(wire: &Wire) -> Vec<[f64; 4]> {
-    let (map, strokes) = wire.sampling_map::<f64>(8, false);
-    let mut points = Vec::new();
-    map.apply(wire.control_points(), &mut points);
     let mut balls = Vec::new();
-    for stroke in strokes {
-        let points = &points[stroke.start..stroke.start + stroke.count];
-        let ends = points.iter().zip(points.iter().cycle().skip(1));
-        for (a, b) in ends.take(if stroke.closed { stroke.count } else { stroke.count - 1 }) {
-            let apart = (0..3).map(|c| (b[c] - a[c]).powi(2)).sum::<f64>().sqrt();
-            let steps = (apart / (STEP * (0.5 * a[3]).max(0.004))).ceil().clamp(1.0, 1e4) as usize;
-            balls.extend((0..steps).map(|k| {
-                let share = k as f64 / steps as f64;
-                [0, 1, 2, 3].map(|c| (a[c] + (b[c] - a[c]) * share) * if c == 3 { 0.5 } else { 1.0 })
-            }));
-        }
+    for [a, b] in chords(wire) {
+        let apart = (0..3).map(|c| (b[c] - a[c]).powi(2)).sum::<f64>().sqrt();
+        let steps = (apart / (STEP * (0.5 * a[3]).max(0.004))).ceil().clamp(1.0, 1e4) as usize;
+        balls.extend((0..steps).map(|k| {
+            let share = k as f64 / steps as f64;
+            [0, 1, 2, 3].map(|c| (a[c] + (b[c] - a[c]) * share) * if c == 3 { 0.5 } else { 1.0 })
+        }));
     }
     balls
 }
