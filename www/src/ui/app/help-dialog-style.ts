@@ -6,21 +6,6 @@ export const helpDialogStyle = css`
   dialog {
     width: min(560px, calc(100vw - 32px));
   }
-  header {
-    position: sticky;
-    top: 0;
-    display: flex;
-    align-items: center;
-    justify-content: space-between;
-    padding: 16px 16px 8px 24px;
-    padding-inline: 24px 16px;
-    background: var(--raised);
-  }
-  h1 {
-    margin: 0;
-    font-size: 20px;
-    font-weight: 600;
-  }
   .body {
     display: grid;
     gap: 16px;

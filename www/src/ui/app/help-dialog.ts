@@ -2,7 +2,7 @@ import { html, LitElement, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { icons } from "../shared/icons";
 import { remember, remembered } from "../../state/common/remember";
-import { dialogStyle } from "../shared/dialog-style";
+import { dialogHeadStyle, dialogStyle } from "../shared/dialog-style";
 import { controls } from "../shared/shared";
 import { ACTIONS } from "./actions";
 import { helpDialogStyle } from "./help-dialog-style";
@@ -17,7 +17,7 @@ export class HelpDialog extends LitElement {
   @state() private letters = lettersOn();
   @query("dialog") private dialog!: HTMLDialogElement;
 
-  static override styles = [controls, dialogStyle, helpDialogStyle];
+  static override styles = [controls, dialogStyle, dialogHeadStyle, helpDialogStyle];
 
   override render() {
     return html`<dialog aria-labelledby="title" @click=${this.clickedBeside}>

@@ -6,22 +6,6 @@ export const filmDialogStyle = css`
   dialog {
     width: min(760px, calc(100vw - 32px));
   }
-  header {
-    position: sticky;
-    top: 0;
-    z-index: 1;
-    display: flex;
-    align-items: center;
-    justify-content: space-between;
-    padding-block: 16px 8px;
-    padding-inline: 24px 16px;
-    background: var(--raised);
-  }
-  h1 {
-    margin: 0;
-    font-size: 20px;
-    font-weight: 600;
-  }
   .body {
     display: grid;
     grid-template-columns: 320px minmax(0, 1fr);

@@ -9,7 +9,7 @@ import { bestChoice, formatWords, GIF, sizeFor, type Choice } from "../../film/f
 import { Filmer, GivenUp } from "../../film/filmer";
 import { secondsOf, type Progress } from "../../film/orders";
 import { timeLeft } from "../../state/common/words";
-import { dialogStyle } from "../shared/dialog-style";
+import { dialogHeadStyle, dialogStyle } from "../shared/dialog-style";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
 import { barStyle, controls } from "../shared/shared";
@@ -76,7 +76,7 @@ export class FilmDialog extends LitElement {
   /** What stands before its camera. */
   private shown = "";
 
-  static override styles = [controls, barStyle, dialogStyle, segmentedStyle, filmDialogStyle];
+  static override styles = [controls, barStyle, dialogStyle, dialogHeadStyle, segmentedStyle, filmDialogStyle];
 
   override render() {
     const { kind, busy } = this;

@@ -16,3 +16,23 @@ export const dialogStyle = css`
     background: rgb(20 16 12 / 45%);
   }
 `;
+
+/** A title and the button that closes it, which stay while the rest scrolls. */
+export const dialogHeadStyle = css`
+  header {
+    position: sticky;
+    top: 0;
+    z-index: 1;
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    padding-block: 16px 8px;
+    padding-inline: 24px 16px;
+    background: var(--raised);
+  }
+  h1 {
+    margin: 0;
+    font-size: 20px;
+    font-weight: 600;
+  }
+`;
