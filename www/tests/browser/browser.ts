@@ -7,6 +7,7 @@ import type { AddressInfo } from "node:net";
 import { extname, join, normalize, resolve } from "node:path";
 import { gzipSync } from "node:zlib";
 import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Locator, type Page } from "playwright-core";
+import { NARROW } from "../../src/ui/shared/narrow";
 import { suffer, type Hardship } from "./hardship";
 import { throttle } from "./throttle";
 
@@ -148,8 +149,8 @@ export function pad(page: Page, index: number): Locator {
 
 /** Turns a narrow page to a part by its tab; a wide one shows them all. */
 export async function openPart(page: Page, name: string): Promise<void> {
-  const tab = page.getByRole("tab", { name, exact: true });
-  if (await tab.count()) await tab.click();
+  // Nobody finds the tabs by what they are before the page has opened.
+  if (await page.evaluate((narrow) => matchMedia(narrow).matches, NARROW)) await page.getByRole("tab", { name, exact: true }).click();
 }
 
 /** One of the numbers of the wire that was made. */
@@ -160,16 +161,18 @@ export async function figure(page: Page, name: string): Promise<string | null> {
 /** Sets a setting: one of the row of radio buttons near Run, or a control of a folded group. */
 export async function choose(page: Page, setting: string, value: string): Promise<void> {
   const radio = page.locator(`input[type=radio][name=${setting}][value="${value}"]`);
-  if (await radio.count()) {
-    // Nobody waits for what is forced: the part it is in may just be turning up.
-    while (!(await radio.evaluate((element) => element.checkVisibility()))) await page.waitForTimeout(20);
-    await radio.check({ force: true });
-    return;
-  }
   const control = page.locator(`setting-control[data-setting=${setting}] #control`);
-  for (const group of await page.locator("settings-panel summary").all()) {
-    if (await control.count()) break;
-    await group.click();
+  // Whoever has just turned to another job sees its settings only when they are there.
+  for (const tried = performance.now(); !(await control.count()); await page.waitForTimeout(20)) {
+    if (await radio.count()) {
+      // Nobody waits for what is forced: the part it is in may just be turning up.
+      while (!(await radio.evaluate((element) => element.checkVisibility()))) await page.waitForTimeout(20);
+      await radio.check({ force: true });
+      return;
+    }
+    if (performance.now() - tried > 60_000) throw new Error(`There is no setting ${setting} with a choice ${value}.`);
+    const folded = page.locator("settings-panel details:not([open]) > summary").first();
+    if (await folded.isVisible()) await folded.click();
   }
   await control.waitFor();
   const kind = await control.evaluate((element) => (element as HTMLInputElement).type);

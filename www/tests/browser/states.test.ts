@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
 import { fits, inBothColours, inspect } from "./a11y";
-import { choose, idle, launch, phase, runButton, shoot, SMALL, visit } from "./browser";
+import { choose, idle, launch, openPart, phase, runButton, shoot, SMALL, visit } from "./browser";
 import { padsReady, previewed } from "./pads";
 import { openSite } from "./site";
 
@@ -26,16 +26,12 @@ for (const [width, height] of SIZES) {
     expect(run.height).toBeGreaterThanOrEqual(44);
     // The stage, the pads and the button are all within the first screen.
     expect(run.y + run.height).toBeLessThanOrEqual(height);
-    const tab = async (name: string) => {
-      const there = page.getByRole("tab", { name });
-      if (await there.count()) await there.click();
-    };
-    await tab("Settings");
+    await openPart(page, "Settings");
     await page.locator("settings-panel summary").first().click();
     await look("settings");
-    await tab("Share");
+    await openPart(page, "Share");
     await look("share");
-    await tab("Pictures");
+    await openPart(page, "Pictures");
     await openEditor(page);
     for (const [panel, state] of [["Draw", "draw"], ["Type", "type"], ["Icons", "icons"], ["Picture", "picture"]] as const) {
       await page.locator("pad-editor").getByRole("tab", { name: panel }).click();
@@ -43,7 +39,7 @@ for (const [width, height] of SIZES) {
       await look(`editor-${state}`);
     }
     await page.locator("pad-editor").getByRole("button", { name: "Done" }).click();
-    await tab("Run");
+    await openPart(page, "Run");
     await choose(page, "preset", "fast");
     await runButton(page).click();
     await phase(page, "running");
