@@ -54,7 +54,7 @@ describe("the dialog", () => {
   it("copies the link, which carries the wire, by mouse and by keys alone", async () => {
     const { page, faults } = await visit(browser, site.url, CLIPBOARD);
     await padsReady(page);
-    await page.locator("save-panel .more").waitFor({ state: "attached" });
+    await page.locator("save-panel .more:enabled").waitFor();
     await page.keyboard.press("s");
     await page.getByRole("dialog").waitFor();
     // What most people want has the focus.
