@@ -537,6 +537,7 @@ export class WireSculpture extends Base implements Member {
   }
 
   private drawn(): void {
+    if (!this.isDrawn) performance.mark("wire-sculpture drawn");
     this.isDrawn = true;
     this.still.hidden = true;
     this.posterSlot.classList.add("away");
