@@ -16,6 +16,10 @@ pub struct Shortest {
     /// What a step looks at, side by side.
     cells: Vec<Cell>,
     priced: Vec<u32>,
+    per_cost: f32,
+    /// The bucket to be settled next, counted from the first, and entries that wait in all of them.
+    turn: usize,
+    waiting: usize,
 }
 
 /// A voxel in a search.
@@ -39,6 +43,9 @@ impl Shortest {
             settled: vec![false; voxels],
             cells: vec![UNTOUCHED; voxels],
             priced: Vec::new(),
+            per_cost: 1.0,
+            turn: 0,
+            waiting: 0,
         }
     }
 
@@ -65,7 +72,19 @@ impl Shortest {
         prices: [f32; 2],
         sources: &[u32],
         limit: f32,
-        mut enough: impl FnMut(u32) -> bool,
+        enough: impl FnMut(u32) -> bool,
+    ) {
+        self.begin(neighbours, &price_of, prices, sources);
+        self.advance(neighbours, price_of, [limit; 2], enough);
+    }
+
+    /// Begins a search that [`Shortest::extend`] takes as far as it is wanted.
+    pub fn begin(
+        &mut self,
+        neighbours: &[(isize, f32)],
+        price_of: impl Fn(usize) -> f32,
+        prices: [f32; 2],
+        sources: &[u32],
     ) {
         for &voxel in &self.priced {
             let v = voxel as usize;
@@ -73,12 +92,12 @@ impl Shortest {
         }
         self.priced.clear();
         self.order.clear();
+        self.buckets.iter_mut().for_each(Vec::clear);
         let longest = neighbours.iter().map(|n| n.1).fold(1.0, f32::max);
         // One bucket more than the longest step spans, and one for rounding: the ring never overtakes itself.
         let ring = (prices[1] * longest / prices[0]) as usize + 3;
         self.buckets.resize(ring.max(self.buckets.len()), Vec::new());
-        let ring = self.buckets.len();
-        let per_cost = 1.0 / prices[0];
+        self.per_cost = 1.0 / prices[0];
         for &source in sources {
             let s = source as usize;
             if self.cells[s].price.is_nan() {
@@ -88,12 +107,32 @@ impl Shortest {
                 self.buckets[0].push(source);
             }
         }
-        let mut waiting = self.buckets[0].len();
-        let mut turn = 0;
-        while waiting > 0 {
-            let slot = turn % ring;
+        self.waiting = self.buckets[0].len();
+        self.turn = 0;
+    }
+
+    /// Goes on to all within `limit`, and some a little beyond it: in the same order, and by the same ways, as if it had gone
+    /// that far at once.
+    pub fn extend(&mut self, neighbours: &[(isize, f32)], price_of: impl Fn(usize) -> f32, limit: f32) {
+        self.advance(neighbours, price_of, [limit, f32::INFINITY], |_| false);
+    }
+
+    /// Settles the buckets up to a distance, and leaves out of them what is beyond another. Never inlined: it runs long, and
+    /// an engine that compiles functions better only from call to call has to meet it anew.
+    #[inline(never)]
+    fn advance(
+        &mut self,
+        neighbours: &[(isize, f32)],
+        price_of: impl Fn(usize) -> f32,
+        [limit, beyond]: [f32; 2],
+        mut enough: impl FnMut(u32) -> bool,
+    ) {
+        let ring = self.buckets.len();
+        let last = self.bucket(limit);
+        while self.waiting > 0 && self.turn <= last {
+            let slot = self.turn % ring;
             while let Some(voxel) = self.buckets[slot].pop() {
-                waiting -= 1;
+                self.waiting -= 1;
                 let v = voxel as usize;
                 if self.settled[v] {
                     continue;
@@ -101,7 +140,6 @@ impl Shortest {
                 self.settled[v] = true;
                 self.order.push(voxel);
                 if enough(voxel) {
-                    self.buckets.iter_mut().for_each(Vec::clear);
                     return;
                 }
                 let (here, half_price) = (self.cells[v].distance, 0.5 * self.cells[v].price);
@@ -114,16 +152,28 @@ impl Shortest {
                     }
                     // Settled voxels are nearer.
                     let there = here + length * (half_price + 0.5 * cell.price);
-                    if there < cell.distance && there <= limit {
+                    if there < cell.distance && there <= beyond {
                         cell.distance = there;
                         self.parent[w] = voxel;
-                        self.buckets[(there * per_cost) as usize % ring].push(w as u32);
-                        waiting += 1;
+                        self.buckets[(there * self.per_cost) as usize % ring].push(w as u32);
+                        self.waiting += 1;
                     }
                 }
             }
-            turn += 1;
+            self.turn += 1;
         }
+    }
+
+    /// The reached voxels whose cheapest path costs at most `limit`, each after its parent.
+    pub fn within(&self, limit: f32) -> impl Iterator<Item = u32> {
+        let last = self.bucket(limit);
+        let near = self.order.iter().copied().take_while(move |&voxel| self.bucket(self.distance(voxel)) <= last);
+        near.filter(move |&voxel| self.distance(voxel) <= limit)
+    }
+
+    /// Which one in a row without end.
+    fn bucket(&self, distance: f32) -> usize {
+        (distance * self.per_cost) as usize
     }
 
     /// Cost of the cheapest path from a source to `voxel`; infinite where not reached.
@@ -142,9 +192,12 @@ mod tests {
     use super::*;
     use crate::rng::Rng;
 
-    #[test]
-    fn distances_satisfy_bellman() {
-        let (n, least) = (14usize, 0.03f32);
+    const LEAST: f32 = 0.03;
+    const SIDE: usize = 14;
+
+    /// A cube of prices with a border that nothing crosses, steps to neighbours, and two sources.
+    fn cube() -> (Vec<f32>, Vec<(isize, f32)>, [u32; 2]) {
+        let n = SIDE;
         let mut rng = Rng::new(5, 0);
         let mut cost: Vec<f32> = (0..n * n * n).map(|_| rng.range(0.03, 6.0) as f32).collect();
         let border = |i: usize| i == 0 || i == n - 1;
@@ -160,10 +213,15 @@ mod tests {
                 neighbours.push(((z * n as isize + y) * n as isize + x, ((x * x + y * y + z * z) as f32).sqrt()));
             }
         }
-        let sources = [(5 * n * n + 5 * n + 5) as u32, (8 * n * n + 9 * n + 3) as u32];
+        (cost, neighbours, [(5 * n * n + 5 * n + 5) as u32, (8 * n * n + 9 * n + 3) as u32])
+    }
+
+    #[test]
+    fn distances_satisfy_bellman() {
+        let (cost, neighbours, sources) = cube();
         let mut shortest = Shortest::new(cost.len());
         for limit in [4.0, f32::MAX] {
-            shortest.search(&neighbours, |v| cost[v], [least, 6.0], &sources, limit);
+            shortest.search(&neighbours, |v| cost[v], [LEAST, 6.0], &sources, limit);
             for v in (0..cost.len()).filter(|&v| cost[v].is_finite() && !sources.contains(&(v as u32))) {
                 let best = neighbours
                     .iter()
@@ -182,5 +240,23 @@ mod tests {
             let reached = (0..cost.len() as u32).filter(|&v| shortest.distance(v).is_finite()).count();
             assert_eq!(reached, shortest.order.len());
         }
+    }
+
+    #[test]
+    fn a_search_that_is_extended_finds_what_one_at_once_does() {
+        let (cost, neighbours, sources) = cube();
+        let found = |shortest: &Shortest, limit| -> Vec<(u32, u32, f32)> {
+            shortest.within(limit).map(|v| (v, shortest.parent[v as usize], shortest.distance(v))).collect()
+        };
+        let (mut extended, mut fresh) = (Shortest::new(cost.len()), Shortest::new(cost.len()));
+        extended.begin(&neighbours, |v| cost[v], [LEAST, 6.0], &sources);
+        for limit in [6.0, 6.01, 9.0, 20.0] {
+            extended.extend(&neighbours, |v| cost[v], limit);
+            fresh.search(&neighbours, |v| cost[v], [LEAST, 6.0], &sources, limit);
+            assert_eq!(found(&extended, limit), found(&fresh, f32::MAX));
+            assert!(fresh.order.len() > 20);
+        }
+        fresh.search(&neighbours, |v| cost[v], [LEAST, 6.0], &sources, 8.0);
+        assert_eq!(found(&extended, 8.0), found(&fresh, f32::MAX), "less than what was searched");
     }
 }

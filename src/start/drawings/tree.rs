@@ -309,17 +309,26 @@ impl Growth<'_> {
         let nearby = self.options.nearby * self.options.stray_price * self.scale;
         let mut limit = nearby;
         let mut missing = all;
+        // How far the search has gone since the tree last grew.
+        let mut searched = None;
         loop {
             // No path is worth more than all that is missing.
             let worth = gain * missing as f32;
-            shortest.search(&neighbours, |voxel| self.price(voxel), self.prices(), &self.voxels, limit.min(worth));
-            let added = self.add_best_branches(&shortest, gain, &mut gains, &mut branch_of);
+            let within = limit.min(worth);
+            if searched.is_none() {
+                shortest.begin(&neighbours, |voxel| self.price(voxel), self.prices(), &self.voxels);
+            }
+            if searched.is_none_or(|searched| searched < within) {
+                shortest.extend(&neighbours, |voxel| self.price(voxel), within);
+                searched = Some(within);
+            }
+            let added = self.add_best_branches(&shortest, within, gain, &mut gains, &mut branch_of);
             missing = self.sheets.iter().map(|sheet| sheet.missing_count).sum();
             if missing == 0 || !progress(1.0 - missing as f32 / all.max(1) as f32) {
                 return;
             }
             if added > 0 {
-                limit = nearby;
+                (limit, searched) = (nearby, None);
             } else if limit < farthest.min(worth) {
                 limit *= 3.0;
             } else if gain < dearest {
@@ -359,12 +368,20 @@ impl Growth<'_> {
         count
     }
 
-    /// Adds the best branch, and every other one that is nearly as good with it as without it. Returns how many.
-    fn add_best_branches(&mut self, shortest: &Shortest, gain: f32, gains: &mut [f32], branch: &mut [u32]) -> usize {
+    /// Adds the best branch that is no dearer than `limit`, and every other one that is nearly as good with it as without it.
+    /// Returns how many.
+    fn add_best_branches(
+        &mut self,
+        shortest: &Shortest,
+        limit: f32,
+        gain: f32,
+        gains: &mut [f32],
+        branch: &mut [u32],
+    ) -> usize {
         let least_net = 2.0 * self.scale;
         // The best end of each branch that leaves the tree, by the branch's first voxel.
         let mut ends: Vec<(f32, u32)> = Vec::new();
-        for &voxel in &shortest.order {
+        for voxel in shortest.within(limit) {
             let v = voxel as usize;
             let parent = shortest.parent[v];
             if parent == NO_PARENT {
