@@ -151,7 +151,7 @@ impl Sight {
                 for (from, to) in [(&before, &after), (&after, &before)] {
                     for at in 0..from.len() {
                         let most = &mut moved[stroke.start + at * SAMPLES / CHECKED_SAMPLES];
-                        *most = most.max(strayed_px(at, from, to));
+                        *most = most.max(strayed_px(at, from, to, *most));
                     }
                 }
             }
@@ -197,9 +197,22 @@ impl Sight {
 }
 
 /// How far a place of a polyline, `[x, y, radius]`, is from another that runs beside it; what the radius differs by added.
-fn strayed_px(at: usize, from: &[[f64; 3]], to: &[[f64; 3]]) -> f64 {
-    let near = &to[at.saturating_sub(CHECKED_SAMPLES)..(at + CHECKED_SAMPLES + 1).min(to.len())];
-    near.windows(2).map(|pair| apart_px(&from[at], &pair[0], &pair[1])).fold(f64::INFINITY, f64::min)
+/// Where that is at most `enough`, any number up to it. Never inlined, like [`Tension::relax`].
+#[inline(never)]
+fn strayed_px(at: usize, from: &[[f64; 3]], to: &[[f64; 3]], enough: f64) -> f64 {
+    let mut least = f64::INFINITY;
+    // From its own place outward: what is near is mostly there.
+    for step in 0..CHECKED_SAMPLES {
+        for start in [Some(at + step), at.checked_sub(step + 1)].into_iter().flatten() {
+            if let Some([before, after]) = to.get(start..start + 2) {
+                least = least.min(apart_px(&from[at], before, after));
+            }
+        }
+        if least <= enough {
+            break;
+        }
+    }
+    least
 }
 
 /// How far a place is from the piece between two others.
@@ -321,8 +334,9 @@ impl Tension {
         held
     }
 
-    /// With a control point moved `by`: rises steeply where a sample comes to the limit.
-    fn about(&self, point: usize, by: &[f64; 4]) -> f64 {
+    /// With a control point moved `by`: rises steeply where a sample comes to the limit. What is `enough` is not looked into
+    /// any further.
+    fn about(&self, point: usize, by: &[f64; 4], enough: f64) -> f64 {
         let pull = |&(at, weight): &(usize, f64)| {
             let Sample { off, views } = &self.samples[at];
             let off = std::array::from_fn(|c| off[c] + weight * by[c]);
@@ -332,11 +346,19 @@ impl Tension {
             let pull = fourth * fourth * fourth * square;
             if share > 1.0 { pull + BEYOND * share } else { pull }
         };
-        self.moved_by[point].iter().map(pull).sum()
+        let mut sum = 0.0;
+        for sample in &self.moved_by[point] {
+            sum += pull(sample);
+            if sum >= enough {
+                break;
+            }
+        }
+        sum
     }
 
     /// Moves a control point to the neighbour on the grid with the least tension that is cheap to write; whether that is
-    /// another place.
+    /// another place. Never inlined: an engine that compiles functions better only from call to call has to meet it anew.
+    #[inline(never)]
     fn relax(&mut self, point: usize, rounded: &mut Rounded) -> bool {
         let place = rounded.points[point];
         let step = point_from([1; 4], rounded.steps);
@@ -344,7 +366,7 @@ impl Tension {
         let moves = (0..27).map(|k| [(k + 1) % 3 - 1, (k / 3 + 1) % 3 - 1, (k / 9 + 1) % 3 - 1, 0]);
         let thicker = [[0, 0, 0, 1], [0, 0, 0, -1]];
         for by in moves.chain(thicker).filter(|by| place[3] + by[3] >= 0) {
-            let tension = self.about(point, &std::array::from_fn(|c| by[c] as f64 * step[c]));
+            let tension = self.about(point, &std::array::from_fn(|c| by[c] as f64 * step[c]), least);
             if tension >= least {
                 continue;
             }
