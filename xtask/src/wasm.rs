@@ -141,5 +141,11 @@ fn bind(name: &str, compiled: &Path, out_dir: &Path) -> Result {
 fn optimise(module: &Path) -> Result {
     say("running wasm-opt");
     let wasm_opt = www().join("node_modules/binaryen/bin/wasm-opt");
-    run(command("node").arg(wasm_opt).arg(module).arg("-O3").args(WASM_FEATURES).arg("-o").arg(module))
+    run(command("node")
+        .arg(wasm_opt)
+        .arg(module)
+        .args(["-O3", "--one-caller-inline-max-function-size", "100"])
+        .args(WASM_FEATURES)
+        .arg("-o")
+        .arg(module))
 }
