@@ -7,6 +7,7 @@ mod elegance;
 mod figures;
 mod fills;
 mod gallery;
+mod growth;
 mod page;
 mod photos;
 mod picture;
@@ -41,6 +42,7 @@ const VERBS: &[Verb] = &[
     Verb { name: "figures", options: "", help: figures::HELP, run: figures::run },
     Verb { name: "fills", options: "[shapes|styles|density]", help: fills::HELP, run: fills::run },
     Verb { name: "gallery", options: "[--before] [--preset P] [--bend B]", help: gallery::HELP, run: gallery::run },
+    Verb { name: "growth", options: "", help: growth::HELP, run: growth::run },
     Verb { name: "photos", options: "[scenes|real] [NAME=VALUE]...", help: photos::HELP, run: photos::run },
     Verb { name: "speed", options: "", help: speed::HELP, run: speed::run },
     Verb { name: "strokes", options: "pictures|sheet", help: strokes::HELP, run: strokes::run },

@@ -44,6 +44,17 @@ pub fn check_library() -> Result {
     run(cargo.args(["--package", "wire4d", "--no-default-features", "--features", "threads", "--profile", "wasm"]))
 }
 
+/// The program that measures how iterations grow, for an engine of wasm outside a browser.
+pub fn growth() -> Result<PathBuf> {
+    const PACKAGE: &str = "wire4d-growth";
+    const WASI: &str = "wasm32-wasip1";
+    succeeds(command("rustup").args(["target", "add", WASI]));
+    let mut cargo = command("cargo");
+    cargo.env("RUSTFLAGS", RUSTFLAGS).args(["build", "--locked", "--package", PACKAGE, "--profile", "wasm"]);
+    run(cargo.args(["--target", WASI, "--target-dir", TARGET_DIR]))?;
+    Ok(root().join(TARGET_DIR).join(WASI).join("wasm").join(PACKAGE).with_extension("wasm"))
+}
+
 /// Binds and optimises a compiled module.
 fn finish(package: &str, name: &str) -> Result {
     let compiled =
