@@ -9,7 +9,7 @@ import type { Account, Row } from "./budget";
 
 export const FIRST_VIEW_KB = 200;
 /** The main module, which every visit fetches. */
-export const WASM_KB = 740;
+export const WASM_KB = 780;
 /** The module that reads mesh files, which is fetched when somebody brings one. */
 export const MESH_KB = 165;
 /** The module that writes files and simpler links, which is fetched when somebody saves or shares. */
