@@ -94,8 +94,9 @@ impl Shortest {
         self.order.clear();
         self.buckets.iter_mut().for_each(Vec::clear);
         let longest = neighbours.iter().map(|n| n.1).fold(1.0, f32::max);
-        // One bucket more than the longest step spans, and one for rounding: the ring never overtakes itself.
-        let ring = (prices[1] * longest / prices[0]) as usize + 3;
+        // One bucket more than the longest step spans, and one for rounding: the ring never overtakes itself. A power of two,
+        // since a division at each entry would be felt.
+        let ring = ((prices[1] * longest / prices[0]) as usize + 3).next_power_of_two();
         self.buckets.resize(ring.max(self.buckets.len()), Vec::new());
         self.per_cost = 1.0 / prices[0];
         for &source in sources {
@@ -127,10 +128,10 @@ impl Shortest {
         [limit, beyond]: [f32; 2],
         mut enough: impl FnMut(u32) -> bool,
     ) {
-        let ring = self.buckets.len();
-        let last = self.bucket(limit);
+        let in_ring = self.buckets.len() - 1;
+        let (last, per_cost) = (self.bucket(limit), self.per_cost);
         while self.waiting > 0 && self.turn <= last {
-            let slot = self.turn % ring;
+            let slot = self.turn & in_ring;
             while let Some(voxel) = self.buckets[slot].pop() {
                 self.waiting -= 1;
                 let v = voxel as usize;
@@ -155,7 +156,7 @@ impl Shortest {
                     if there < cell.distance && there <= beyond {
                         cell.distance = there;
                         self.parent[w] = voxel;
-                        self.buckets[(there * self.per_cost) as usize % ring].push(w as u32);
+                        self.buckets[(there * per_cost) as usize & in_ring].push(w as u32);
                         self.waiting += 1;
                     }
                 }
