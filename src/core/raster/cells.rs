@@ -143,12 +143,6 @@ impl Cells {
         }
     }
 
-    /// Whether no polygon's box touches `query` (which must overlap the picture). `near` is scratch.
-    pub fn is_clear(&self, query: NegatedBox, near: &mut Near) -> bool {
-        self.gather(query, near);
-        near.count == 0
-    }
-
     /// Replaces `near` by the polygons whose boxes touch `query` (which must overlap the picture).
     #[inline]
     pub fn gather(&self, query: NegatedBox, near: &mut Near) {

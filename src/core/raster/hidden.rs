@@ -3,9 +3,12 @@
 use super::shapes::{Circles, ORDER_MARGIN_PX, Polygon, Quad, Shapes};
 use wide::f32x4;
 
-/// A straight stretch of one polygon's border, from `start` to `start + step`.
+/// A straight stretch of one polygon's border, from `origin + start` to `origin + start + step`. Relative to a node
+/// of its own, so that it is known far better than places in the picture are in f32: two polygons must agree on
+/// which of them reaches further.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
+    pub origin: [f32; 2],
     pub start: [f32; 2],
     pub step: [f32; 2],
     /// Place of its polygon in the total order.
@@ -13,6 +16,17 @@ pub(super) struct Edge {
 }
 
 impl Edge {
+    /// Where it begins in the picture.
+    pub fn place(&self) -> [f32; 2] {
+        [self.origin[0] + self.start[0], self.origin[1] + self.start[1]]
+    }
+
+    /// Where it begins, relative to `origin`.
+    #[inline(always)]
+    fn seen_from(&self, origin: [f32; 2]) -> [f32; 2] {
+        [self.origin[0] - origin[0] + self.start[0], self.origin[1] - origin[1] + self.start[1]]
+    }
+
     /// The stretch of this edge between two of its parameters.
     pub fn part(&self, from: f32, to: f32) -> Edge {
         let ([x, y], [dx, dy]) = (self.start, self.step);
@@ -81,9 +95,9 @@ pub(super) fn visible_parts(
 /// change from start to end.
 #[inline(always)]
 fn hidden_by_quad(edge: &Edge, quad: &Quad, margin: f32) -> Hidden {
-    let ([x, y], [dx, dy]) = (edge.start, edge.step);
-    let wx = f32x4::splat(x + 0.5 * dx - quad.origin[0]);
-    let wy = f32x4::splat(y + 0.5 * dy - quad.origin[1]);
+    let ([x, y], [dx, dy]) = (edge.seen_from(quad.origin), edge.step);
+    let wx = f32x4::splat(x + 0.5 * dx);
+    let wy = f32x4::splat(y + 0.5 * dy);
     let value = quad.normal_x * wx + quad.normal_y * wy - (quad.offset + quad.margin * f32x4::splat(margin));
     let change = quad.normal_x * f32x4::splat(dx) + quad.normal_y * f32x4::splat(dy);
     let half = change.abs() * f32x4::splat(0.5);
@@ -109,8 +123,7 @@ fn hidden_by_polygon(edge: &Edge, polygon: &Polygon, circles: &Circles, margin: 
     if radius <= 0.0 || polygon.sides == 0 {
         return Hidden::Nothing;
     }
-    let ([x, y], [dx, dy]) = (edge.start, edge.step);
-    let (wx, wy) = (x - polygon.center[0], y - polygon.center[1]);
+    let ([wx, wy], [dx, dy]) = (edge.seen_from(polygon.center), edge.step);
     let (ex, ey) = (wx + dx, wy + dy);
     let inner = radius * radius;
     if wx * wx + wy * wy < inner && ex * ex + ey * ey < inner {
