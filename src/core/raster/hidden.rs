@@ -1,5 +1,6 @@
 //! Which part of an edge other polygons hide: exact intervals, no samples, no square roots but one a polygon.
 
+use super::extremes::{least, most};
 use super::shapes::{Circles, ORDER_MARGIN_PX, Polygon, Quad, Shapes};
 use wide::f32x4;
 
@@ -84,11 +85,23 @@ pub(super) fn visible_parts(
         if from > reached + SHORTEST_VISIBLE {
             visible.push([reached, from]);
         }
-        reached = reached.max(to);
+        reached = most(reached, to);
     }
     if reached < 1.0 - SHORTEST_VISIBLE {
         visible.push([reached, 1.0]);
     }
+}
+
+#[inline(always)]
+fn last_of(lanes: f32x4) -> f32 {
+    let [a, b, c, d] = lanes.to_array();
+    most(most(a, b), most(c, d))
+}
+
+#[inline(always)]
+fn first_of(lanes: f32x4) -> f32 {
+    let [a, b, c, d] = lanes.to_array();
+    least(least(a, b), least(c, d))
 }
 
 /// The part of the edge inside four half-planes. `value` is the signed distance at the edge's middle, `change` its
@@ -110,10 +123,9 @@ fn hidden_by_quad(edge: &Edge, quad: &Quad, margin: f32) -> Hidden {
     }
     // Lanes that do not change divide by zero; neither mask takes them.
     let root = f32x4::splat(0.5) - value / change;
-    let enters = change.simd_lt(zero).bitselect(root, zero).to_array();
-    let leaves = change.simd_gt(zero).bitselect(root, f32x4::ONE).to_array();
-    let from = enters[0].max(enters[1]).max(enters[2].max(enters[3])).max(0.0);
-    let to = leaves[0].min(leaves[1]).min(leaves[2].min(leaves[3])).min(1.0);
+    let enters = change.simd_lt(zero).bitselect(root, zero);
+    let leaves = change.simd_gt(zero).bitselect(root, f32x4::ONE);
+    let [from, to] = [most(last_of(enters), 0.0), least(first_of(leaves), 1.0)];
     if to - from > SHORTEST_HIDDEN { Hidden::Between(from, to) } else { Hidden::Nothing }
 }
 
@@ -146,12 +158,10 @@ fn hidden_by_polygon(edge: &Edge, polygon: &Polygon, circles: &Circles, margin: 
         let still = change.abs().simd_lt(f32x4::splat(1e-20));
         let root = -value / still.bitselect(f32x4::splat(1e-20), change);
         let rising = !change.simd_lt(zero);
-        enters = enters.max(rising.bitselect(enters, root));
-        leaves = leaves.min(rising.bitselect(root, leaves));
+        enters = enters.fast_max(rising.bitselect(enters, root));
+        leaves = leaves.fast_min(rising.bitselect(root, leaves));
     }
-    let (enters, leaves) = (enters.to_array(), leaves.to_array());
-    let from = enters[0].max(enters[1]).max(enters[2].max(enters[3]));
-    let to = leaves[0].min(leaves[1]).min(leaves[2].min(leaves[3]));
+    let [from, to] = [last_of(enters), first_of(leaves)];
     if from <= 0.0 && to >= 1.0 {
         Hidden::Everything
     } else if to - from > SHORTEST_HIDDEN {

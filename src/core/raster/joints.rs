@@ -1,5 +1,6 @@
 //! How two pieces meet at a node, decided for both sides at once.
 
+use super::extremes::least;
 use super::pieces::{NONE, Node, Piece};
 
 /// How the sides of the two pieces at a node end.
@@ -67,7 +68,7 @@ fn joint(node: &Node, before: &Piece, after: &Piece) -> Joint {
     if !before.has_sides || !after.has_sides {
         return hard(node, before, after);
     }
-    let tightest = TRIM_SHARE * before.length.min(after.length) * before.cosine.min(after.cosine);
+    let tightest = TRIM_SHARE * least(before.length, after.length) * least(before.cosine, after.cosine);
     let mut joint = Joint { kind: Kind::Mitred, shared: [true; 2], ..Joint::default() };
     for (i, side) in SIDES.into_iter().enumerate() {
         let (a, b) = (before.normal(side), after.normal(side));

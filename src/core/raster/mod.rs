@@ -7,6 +7,7 @@ mod band;
 mod cells;
 mod check;
 mod exact;
+mod extremes;
 pub mod flatten;
 mod hidden;
 mod joints;

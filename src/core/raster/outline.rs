@@ -1,6 +1,7 @@
 //! The visible outline of a range of nodes: the sides and drawn end lines of their pieces, their vertex polygons.
 
 use super::cells::{Cells, Near, overlap};
+use super::extremes::{least, most};
 use super::hidden::{Edge, visible_parts};
 use super::joints::{Joint, Kind};
 use super::pieces::{NONE, Node, Piece};
@@ -77,7 +78,7 @@ impl Outline {
         let picture = [0.0, 0.0, -(scene.width as f32), -(scene.height as f32)];
         let boxes = &scene.shapes.boxes;
         let bounds = |k: usize| hull(boxes[polygon_order(k) as usize], boxes[quad_order(k) as usize]);
-        let extent = |b: NegatedBox| (-b[2] - b[0]).max(-b[3] - b[1]);
+        let extent = |b: NegatedBox| most(-b[2] - b[0], -b[3] - b[1]);
         let mut grouped = range.start;
         for k in range.clone() {
             let own = bounds(k);
@@ -230,7 +231,7 @@ impl Outline {
     fn trace_edge(&mut self, scene: &Scene, moving: &Moving) {
         let Moving { edge, skip, u, .. } = moving;
         let [dx, dy] = edge.step;
-        if dx.abs().max(dy.abs()) < SHORTEST_EDGE_PX {
+        if most(dx.abs(), dy.abs()) < SHORTEST_EDGE_PX {
             return;
         }
         let (width, height) = (scene.width as f32, scene.height as f32);
@@ -285,5 +286,5 @@ impl Outline {
 
 fn bounds(edge: &Edge) -> NegatedBox {
     let ([x, y], [dx, dy]) = (edge.place(), edge.step);
-    [x.min(x + dx), y.min(y + dy), -x.max(x + dx), -y.max(y + dy)]
+    [least(x, x + dx), least(y, y + dy), -most(x, x + dx), -most(y, y + dy)]
 }

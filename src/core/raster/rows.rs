@@ -19,17 +19,17 @@ pub(super) fn add(sub_edges: &[SubEdge], sums: &mut [i32]) {
 pub(super) fn finish(sums: &mut [i32], left: i32, coverage: &mut [f32]) {
     const GROUP: usize = 8;
     let mut running = left;
-    let mut groups = sums.chunks_exact_mut(GROUP);
-    let mut outputs = coverage.chunks_exact_mut(GROUP);
-    for (sums, coverage) in (&mut groups).zip(&mut outputs) {
+    let (groups, last_sums) = sums.as_chunks_mut::<GROUP>();
+    let (outputs, last_coverage) = coverage.as_chunks_mut::<GROUP>();
+    for (sums, coverage) in groups.iter_mut().zip(outputs) {
         if sums.iter().fold(0, |all, &sum| all | sum) == 0 {
             running = whole(running);
-            coverage.fill(shade(running));
+            *coverage = [shade(running); GROUP];
         } else {
             finish_pixels(sums, &mut running, coverage);
         }
     }
-    finish_pixels(groups.into_remainder(), &mut running, outputs.into_remainder());
+    finish_pixels(last_sums, &mut running, last_coverage);
 }
 
 #[inline(always)]

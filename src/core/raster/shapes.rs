@@ -4,6 +4,7 @@
 //! stand in one total order, see [`quad_order`] and [`polygon_order`]: of two edges that lie on each other exactly
 //! one stays, because a polygon of lower order hides a touch more and one of higher order a touch less.
 
+use super::extremes::least;
 use super::joints::{Joint, Kind};
 use super::pieces::{NONE, Node, Piece};
 use wide::f32x4;
@@ -58,7 +59,7 @@ pub(super) type NegatedBox = [f32; 4];
 pub(super) const EMPTY_BOX: NegatedBox = [f32::INFINITY; 4];
 
 pub(super) fn hull(a: NegatedBox, b: NegatedBox) -> NegatedBox {
-    std::array::from_fn(|i| a[i].min(b[i]))
+    std::array::from_fn(|i| least(a[i], b[i]))
 }
 
 pub(super) fn disc_box(center: [f32; 2], radius: f32) -> NegatedBox {
@@ -207,7 +208,7 @@ impl Default for Circles {
 
 impl Circles {
     fn polygon(&self, node: &Node) -> Polygon {
-        let step = (8.0 * ARC_TOLERANCE_PX / node.radius).sqrt().min(std::f32::consts::FRAC_PI_4);
+        let step = least((8.0 * ARC_TOLERANCE_PX / node.radius).sqrt(), std::f32::consts::FRAC_PI_4);
         let sides = ring(2 * (std::f32::consts::PI / step).ceil() as usize).0;
         let stretch = 1.0 / (std::f32::consts::PI / sides as f32).cos();
         Polygon { center: node.center, radius: node.radius, sides: sides as u32, stretch }
