@@ -1,7 +1,8 @@
 // Which part of an edge a polygon hides: exact intervals of its parameter. Twin of src/core/raster/hidden.rs.
 
-/// A straight stretch of a polygon's border, from `start` to `start + along`.
+/// A straight stretch of a polygon's border, from `origin + start` to `origin + start + along`.
 struct Edge {
+    origin: vec2f,
     start: vec2f,
     along: vec2f,
     /// Place of its polygon in the total order.
@@ -12,11 +13,16 @@ struct Edge {
 const NOTHING: vec2f = vec2f(1.0, 0.0);
 
 fn part_of(edge: Edge, low: f32, high: f32) -> Edge {
-    return Edge(edge.start + edge.along * low, edge.along * (high - low), edge.order);
+    return Edge(edge.origin, edge.start + edge.along * low, edge.along * (high - low), edge.order);
 }
 
 fn long_enough(low: f32, high: f32) -> vec2f {
     return select(NOTHING, vec2f(low, high), high - low > SHORTEST_HIDDEN);
+}
+
+/// Where an edge begins, relative to `origin`.
+fn seen_from(origin: vec2f, edge: Edge) -> vec2f {
+    return edge.origin - origin + edge.start;
 }
 
 /// The part inside four half-planes: signed distances at the edge's middle, and their change from start to end.
@@ -26,7 +32,7 @@ fn hidden_by_quad(edge: Edge, s: u32, margin: f32) -> vec2f {
     }
     let normal_x = shapes[s].normal_x;
     let normal_y = shapes[s].normal_y;
-    let w = edge.start + 0.5 * edge.along - shapes[s].origin;
+    let w = seen_from(shapes[s].origin, edge) + 0.5 * edge.along;
     let value = normal_x * w.x + normal_y * w.y - (shapes[s].offset + vec4f(1.0, 1.0, shapes[s].drawn) * margin);
     let change = normal_x * edge.along.x + normal_y * edge.along.y;
     let swing = abs(change) * 0.5;
@@ -50,7 +56,7 @@ fn hidden_by_polygon(edge: Edge, s: u32, margin: f32) -> vec2f {
         return NOTHING;
     }
     let ring = scene.rings[shapes[s].ring];
-    let w = edge.start - shapes[s].origin;
+    let w = seen_from(shapes[s].origin, edge);
     let end = w + edge.along;
     if dot(w, w) < radius * radius && dot(end, end) < radius * radius {
         return vec2f(0.0, 1.0);

@@ -9,8 +9,9 @@ fn joined(view: u32, k: u32, i: u32) -> u32 {
     return other;
 }
 
+/// Points of a joint are relative to its node.
 fn tangent_point(node: vec4f, piece: Piece, side: f32) -> vec2f {
-    return node.xy + node.z * side_normal(piece, side);
+    return node.z * side_normal(piece, side);
 }
 
 fn hard_joint(node: vec4f, before: Piece, after: Piece) -> Joint {
@@ -49,7 +50,7 @@ fn joint_between(node: vec4f, before: Piece, after: Piece) -> Joint {
             joint.before[i] = tangent_point(node, before, side);
             joint.after[i] = tangent_point(node, after, side);
         } else {
-            let meet = node.xy + reach * (a + b);
+            let meet = reach * (a + b);
             joint.before[i] = meet;
             joint.after[i] = meet;
             joint.extension[i] = select(-extension, extension, outer);

@@ -102,8 +102,9 @@ fn cover_by(view: u32, order: u32, edge: Edge, reached: f32) -> bool {
 fn collect_hidden(view: u32, edge: Edge, skip: vec3u, reached: f32) -> bool {
     hidden_count = 0u;
     horizon = NEVER;
-    let end = edge.start + edge.along;
-    let query = vec4f(min(edge.start, end), -max(edge.start, end));
+    let start = edge.origin + edge.start;
+    let end = start + edge.along;
+    let query = vec4f(min(start, end), -max(start, end));
     let range = cells_of(view, query);
     for (var y = range.z; y <= range.w; y++) {
         for (var x = range.x; x <= range.y; x++) {
@@ -175,8 +176,9 @@ fn walk_visible(view: u32, edge: Edge, low: f32, high: f32, u: vec2f) {
     see(low, high);
     let size = vec2f(f32(scene.view[view].width), f32(scene.view[view].height));
     let seen = part_of(edge, low, high);
-    let start = clamp(seen.start, vec2f(), size);
-    let end = clamp(seen.start + seen.along, vec2f(), size);
+    let begin = seen.origin + seen.start;
+    let start = clamp(begin, vec2f(), size);
+    let end = clamp(begin + seen.along, vec2f(), size);
     walk(view, scene.view[view].width, start, end - start, mix(u.x, u.y, low), (u.y - u.x) * (high - low));
 }
 
@@ -211,9 +213,11 @@ fn straight_edge(view: u32, k: u32, which: u32) -> Moving {
     let next = joints[first + k].next;
     let order = 2u * k + 1u;
     if which < 2u {
-        let piece = piece_between(vertex_of(view, k), vertex_of(view, next));
+        let origin = vertex_of(view, k);
+        let other = vertex_of(view, next);
+        let piece = piece_between(origin, other);
         let start = joints[first + k].after[which];
-        let end = joints[first + next].before[which];
+        let end = other.xy - origin.xy + joints[first + next].before[which];
         let per_px = 1.0 / (piece.length * piece.cosine);
         let u = vec2f(-joints[first + k].extension[which], joints[first + next].extension[which]) * per_px
             + vec2f(0.0, 1.0);
@@ -226,10 +230,10 @@ fn straight_edge(view: u32, k: u32, which: u32) -> Moving {
         }
         // Counter-clockwise round the piece: the second side runs backwards.
         if which == 0u {
-            moving.edge = Edge(start, end - start, order);
+            moving.edge = Edge(origin.xy, start, end - start, order);
             moving.u = u;
         } else {
-            moving.edge = Edge(end, start - end, order);
+            moving.edge = Edge(origin.xy, end, start - end, order);
             moving.u = u.yx;
         }
         moving.normal = side_normal(piece, side_of(which));
@@ -249,7 +253,7 @@ fn straight_edge(view: u32, k: u32, which: u32) -> Moving {
         to = joint.before[1];
     }
     let along = to - begin;
-    moving.edge = Edge(begin, along, order);
+    moving.edge = Edge(vertex_of(view, select(k, next, at_end)).xy, begin, along, order);
     moving.skip = vec3u(order, NONE, NONE);
     moving.normal = vec2f(-along.y, along.x) / max(length(along), 1e-20);
     moving.u = vec2f(select(0.0, 1.0, at_end));
@@ -298,7 +302,7 @@ fn polygon_edge(view: u32, k: u32, side: u32) -> Moving {
     let radius = shapes[s].radius;
     let normal = circles[u32(ring.x) + side];
     let half_side = radius * ring.w;
-    let start = shapes[s].origin + radius * normal + half_side * vec2f(-normal.y, normal.x);
+    let start = radius * normal + half_side * vec2f(-normal.y, normal.x);
     let along = 2.0 * half_side * vec2f(normal.y, -normal.x);
-    return Moving(Edge(start, along, 2u * k), vec3u(2u * k, NONE, NONE), normal, 1.0, vec2f(), true);
+    return Moving(Edge(shapes[s].origin, start, along, 2u * k), vec3u(2u * k, NONE, NONE), normal, 1.0, vec2f(), true);
 }

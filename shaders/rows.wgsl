@@ -1,75 +1,45 @@
 // Area sums to coverage: a running sum along each row, as a scan. Twin of src/core/raster/rows.rs.
 //
-// A pixel no outline runs through is wholly in or out, so the running sum r is rounded there. What a run of pixels
-// does to r is r + before, or, once it was rounded, whole(r + before) + after; as whole(whole(x) + y) is
-// whole(x) + whole(y), such maps compose to such maps.
+// A pixel no outline runs through is wholly in or out, so the running sum r becomes one or the other there. What a run
+// of pixels does to r is r + before, or, where it has such a pixel, one of two sums: which one is decided by whether
+// r + before is nearer to in or to out. Such maps compose to such maps.
 
 const GROUP: u32 = 64u;
 
 struct Running {
     before: i32,
-    after: i32,
-    rounded: u32,
+    /// Whether it has a pixel that no outline runs through; then what it ends in if it came there out, and in.
+    whole: u32,
+    from_out: i32,
+    from_in: i32,
 }
 
 var<workgroup> scan: array<Running, GROUP>;
-var<workgroup> leaks: u32;
 
-/// The nearest whole winding number.
-fn whole(sum: i32) -> i32 {
-    return (sum + UNIT / 2) & ~(UNIT - 1);
+fn is_in(sum: i32) -> bool {
+    return sum >= UNIT / 2;
 }
 
 fn shade(sum: i32) -> f32 {
-    return clamp(f32(abs(sum)) / f32(UNIT), 0.0, 1.0);
-}
-
-fn then(first: Running, second: Running) -> Running {
-    if second.rounded == 0u {
-        if first.rounded == 0u {
-            return Running(first.before + second.before, 0, 0u);
-        }
-        return Running(first.before, first.after + second.before, 1u);
-    }
-    if first.rounded == 0u {
-        return Running(first.before + second.before, second.after, 1u);
-    }
-    return Running(first.before, whole(first.after + second.before) + second.after, 1u);
+    return clamp(f32(sum) / f32(UNIT), 0.0, 1.0);
 }
 
 fn apply(map: Running, sum: i32) -> i32 {
-    if map.rounded == 0u {
+    if map.whole == 0u {
         return sum + map.before;
     }
-    return whole(sum + map.before) + map.after;
+    return select(map.from_out, map.from_in, is_in(sum + map.before));
+}
+
+fn then(first: Running, second: Running) -> Running {
+    if first.whole == 0u {
+        return Running(first.before + second.before, second.whole, second.from_out, second.from_in);
+    }
+    return Running(first.before, 1u, apply(second, first.from_out), apply(second, first.from_in));
 }
 
 fn of_pixel(sum: i32) -> Running {
-    return Running(sum & ~TOUCHED, 0, u32((sum & TOUCHED) == 0));
-}
-
-/// Whether no polygon's box touches a pixel.
-fn is_clear(view: u32, x: u32, y: u32) -> bool {
-    let query = vec4f(f32(x), f32(y), -f32(x + 1u), -f32(y + 1u));
-    let range = cells_of(view, query);
-    for (var row = range.z; row <= range.w; row++) {
-        for (var column = range.x; column <= range.y; column++) {
-            var entry = filled[head_at(view, column, row)];
-            while entry != 0u {
-                if boxes_touch(box_of(view, filled[entry_at(entry)]), query) {
-                    return false;
-                }
-                entry = filled[entry_at(entry) + 1u];
-            }
-        }
-    }
-    let large = filled[LARGE_COUNTS + view];
-    for (var i = 0u; i < large; i++) {
-        if boxes_touch(box_of(view, filled[first_large(view) + i]), query) {
-            return false;
-        }
-    }
-    return true;
+    return Running(sum & ~TOUCHED, u32((sum & TOUCHED) == 0), 0, UNIT);
 }
 
 /// A workgroup a row and view.
@@ -86,14 +56,11 @@ fn finish_rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
     let chunk = (width + GROUP - 1u) / GROUP;
     let begin = min(local * chunk, width);
     let to = min(begin + chunk, width);
-    var own = Running(0, 0, 0u);
+    var own = Running();
     for (var x = begin; x < to; x++) {
         own = then(own, of_pixel(summed[first + x]));
     }
     scan[local] = own;
-    if local == 0u {
-        leaks = 0u;
-    }
     workgroupBarrier();
     for (var reach = 1u; reach < GROUP; reach *= 2u) {
         var combined = scan[local];
@@ -114,19 +81,9 @@ fn finish_rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
         coverage[first + x] = shade(running);
         summed[first + x] = 0;
     }
-    // Where rounding loses a whole edge among many that nearly coincide, the row's sum stays whole behind it.
-    if begin < to && to == width && coverage[first + width - 1u] >= 1.0 && is_clear(view, width - 1u, row) {
-        leaks = 1u;
-    }
+    // Everybody has read it by then.
     workgroupBarrier();
     if local == 0u {
         summed[border] = 0;
-    }
-    if leaks == 1u {
-        for (var x = begin; x < to; x++) {
-            if coverage[first + x] >= 1.0 && is_clear(view, x, row) {
-                coverage[first + x] = 0.0;
-            }
-        }
     }
 }

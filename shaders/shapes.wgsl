@@ -21,8 +21,8 @@ fn ring_of(radius: f32) -> u32 {
     return ring;
 }
 
-/// The line through two corners, its normal towards `outward` along the axis: normal and offset from `origin`.
-fn end_line(p: vec2f, q: vec2f, origin: vec2f, axis: vec2f, outward: f32) -> vec3f {
+/// The line through two corners, its normal towards `outward` along the axis, and its offset.
+fn end_line(p: vec2f, q: vec2f, axis: vec2f, outward: f32) -> vec3f {
     let along = p - q;
     let length = sqrt(along.x * along.x + along.y * along.y);
     var normal = axis;
@@ -32,7 +32,12 @@ fn end_line(p: vec2f, q: vec2f, origin: vec2f, axis: vec2f, outward: f32) -> vec
     if dot(normal, axis) * outward < 0.0 {
         normal = -normal;
     }
-    return vec3f(normal, dot(normal, p - origin));
+    return vec3f(normal, dot(normal, p));
+}
+
+/// A box round a point relative to a node.
+fn corner_box(node: vec4f, corner: vec2f) -> vec4f {
+    return disc_box(node.xy + corner, BOX_MARGIN_PX);
 }
 
 /// One thread a node and view. Makes room for `fill_cells`, too.
@@ -55,16 +60,18 @@ fn shape_nodes(@builtin(global_invocation_id) id: vec3u) {
     shape.ring = NONE;
     if start.kind == HARD && node.z > SMALLEST_RADIUS_PX {
         shape.ring = ring_of(node.z);
-        shape.polygon_box = disc_box(node.xy, node.z * scene.rings[shape.ring].z + 2.0 * ORDER_MARGIN_PX);
+        shape.polygon_box = disc_box(node.xy, node.z * scene.rings[shape.ring].z + BOX_MARGIN_PX);
     }
     if start.next != NONE {
-        let piece = piece_between(node, vertex_of(view, start.next));
+        let next = vertex_of(view, start.next);
+        let piece = piece_between(node, next);
         if piece.has_sides {
             let end = joints[first + start.next];
             let left = side_normal(piece, 1.0);
             let right = side_normal(piece, -1.0);
-            let near = end_line(start.after[0], start.after[1], node.xy, piece.axis, -1.0);
-            let far = end_line(end.before[0], end.before[1], node.xy, piece.axis, 1.0);
+            let near = end_line(start.after[0], start.after[1], piece.axis, -1.0);
+            var far = end_line(end.before[0], end.before[1], piece.axis, 1.0);
+            far.z += dot(far.xy, next.xy - node.xy);
             shape.has_sides = 1u;
             shape.drawn = vec2f(select(0.0, 1.0, start.kind == SOFT), select(0.0, 1.0, end.kind == SOFT));
             shape.normal_x = vec4f(left.x, right.x, near.x, far.x);
@@ -72,10 +79,9 @@ fn shape_nodes(@builtin(global_invocation_id) id: vec3u) {
             // An end line that is not drawn lies inside a neighbour: reach into it.
             let reach = (1.0 - shape.drawn) * 2.0 * ORDER_MARGIN_PX;
             shape.offset = vec4f(node.z, node.z, near.z + reach.x, far.z + reach.y);
-            let margin = 4.0 * ORDER_MARGIN_PX;
-            let first_box = min(disc_box(start.after[0], margin), disc_box(start.after[1], margin));
-            let last_box = min(disc_box(end.before[0], margin), disc_box(end.before[1], margin));
-            shape.quad_box = min(first_box, last_box);
+            shape.quad_box = min(corner_box(node, start.after[0]), corner_box(node, start.after[1]));
+            shape.quad_box = min(shape.quad_box, corner_box(next, end.before[0]));
+            shape.quad_box = min(shape.quad_box, corner_box(next, end.before[1]));
         }
     }
     shapes[first + k] = shape;

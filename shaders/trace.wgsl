@@ -23,7 +23,7 @@ fn trace_border(view: u32, begin: u32) {
     let height = scene.view[view].height;
     if begin < height {
         bordering = true;
-        let edge = Edge(vec2f(0.0, f32(begin)), vec2f(0.0, f32(min(height - begin, 8u))), NONE);
+        let edge = Edge(vec2f(), vec2f(0.0, f32(begin)), vec2f(0.0, f32(min(height - begin, 8u))), NONE);
         trace_part(view, edge, vec3u(NONE), vec2f());
     }
 }

@@ -6,7 +6,7 @@ const FAR: f32 = 1e30;
 fn clip(edge: Edge, size: vec2f) -> vec2f {
     var inside = vec2f(0.0, 1.0);
     for (var c = 0u; c < 2u; c++) {
-        let p = edge.start[c];
+        let p = edge.origin[c] + edge.start[c];
         let d = edge.along[c];
         let low = min(p, p + d);
         let high = max(p, p + d);

@@ -281,8 +281,8 @@ pub const STAGES: &[Stage] = &[
     },
     Stage {
         name: "finish_rows",
-        texts: &[LAYOUT, CELLS, text!("rows")],
-        slots: &[Slot::Scene, Slot::Shapes, Slot::Cells, Slot::Sums, Slot::Coverage],
+        texts: &[LAYOUT, text!("rows")],
+        slots: &[Slot::Scene, Slot::Sums, Slot::Coverage],
         over: Over::Rows,
     },
     Stage {

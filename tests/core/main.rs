@@ -17,6 +17,7 @@ mod optimize_occlusion;
 mod optimize_refit;
 mod optimize_session;
 mod optimize_smooth;
+mod raster_coincident;
 mod raster_gradient;
 mod raster_properties;
 mod raster_reference;

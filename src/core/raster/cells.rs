@@ -1,5 +1,6 @@
 //! A grid of square cells that says which polygons may touch a box.
 
+use super::extremes::most;
 use super::pieces::{NONE, Node};
 use super::shapes::{NegatedBox, Shapes, disc_box, hull};
 use wide::f32x4;
@@ -14,9 +15,11 @@ pub(super) const PART_PX: f32 = 16.0;
 /// A box and the polygon in it; long pieces have several.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    bounds: NegatedBox,
+    bounds: f32x4,
     order: u32,
 }
+
+const NO_ENTRY: Entry = Entry { bounds: f32x4::splat(f32::INFINITY), order: NONE };
 
 /// Which cells, from the first to the last inclusive.
 #[derive(Debug, Clone, Copy)]
@@ -46,14 +49,14 @@ impl CellRange {
     }
 }
 
-/// Entries, and for each cell the indices of those that touch it.
+/// Entries, and for each cell those that touch it.
 #[derive(Debug, Default)]
 pub(super) struct Cells {
     columns: usize,
     rows: usize,
     entries: Vec<Entry>,
     starts: Vec<u32>,
-    lists: Vec<u32>,
+    lists: Vec<Entry>,
     large: Vec<Entry>,
 }
 
@@ -69,7 +72,7 @@ impl Cells {
             if !overlap(bounds, picture) {
                 continue;
             }
-            let long = (-bounds[2] - bounds[0]).max(-bounds[3] - bounds[1]) > 2.0 * PART_PX;
+            let long = most(-bounds[2] - bounds[0], -bounds[3] - bounds[1]) > 2.0 * PART_PX;
             if long && order % 2 == 1 {
                 self.add_in_parts(order, bounds, picture, nodes);
             } else {
@@ -83,7 +86,7 @@ impl Cells {
         let range = self.range(bounds);
         let cells = usize::from(range.x[1] - range.x[0] + 1) * usize::from(range.y[1] - range.y[0] + 1);
         let list = if cells > MOST_CELLS { &mut self.large } else { &mut self.entries };
-        list.push(Entry { bounds, order });
+        list.push(Entry { bounds: f32x4::new(bounds), order });
     }
 
     /// Enters a long piece as the boxes of short stretches of it, as far as they touch the picture.
@@ -127,35 +130,30 @@ impl Cells {
         self.starts.clear();
         self.starts.resize(columns * rows + 2, 0);
         for entry in &self.entries {
-            CellRange::new(entry.bounds, columns, rows).each_cell(columns, |cell| self.starts[cell + 2] += 1);
+            let range = CellRange::new(entry.bounds.to_array(), columns, rows);
+            range.each_cell(columns, |cell| self.starts[cell + 2] += 1);
         }
         for i in 2..self.starts.len() {
             self.starts[i] += self.starts[i - 1];
         }
         let total = self.starts[self.starts.len() - 1] as usize;
-        self.lists.resize(total, 0);
-        for (i, entry) in self.entries.iter().enumerate() {
-            CellRange::new(entry.bounds, columns, rows).each_cell(columns, |cell| {
+        self.lists.resize(total, NO_ENTRY);
+        for entry in &self.entries {
+            CellRange::new(entry.bounds.to_array(), columns, rows).each_cell(columns, |cell| {
                 let place = &mut self.starts[cell + 1];
-                self.lists[*place as usize] = i as u32;
+                self.lists[*place as usize] = *entry;
                 *place += 1;
             });
         }
     }
 
-    /// Whether no polygon's box touches `query` (which must overlap the picture). `near` is scratch.
-    pub fn is_clear(&self, query: NegatedBox, near: &mut Near) -> bool {
-        self.gather(query, near);
-        near.count == 0
-    }
-
     /// Replaces `near` by the polygons whose boxes touch `query` (which must overlap the picture).
     #[inline]
     pub fn gather(&self, query: NegatedBox, near: &mut Near) {
-        near.clear();
+        near.count = 0;
         let range = self.range(query);
         // Overlap in one comparison: box minimum <= query maximum and the negated reverse.
-        let most = f32x4::new(greatest(query));
+        let greatest = f32x4::new(greatest(query));
         for y in range.y[0]..=range.y[1] {
             for x in range.x[0]..=range.x[1] {
                 let cell = usize::from(y) * self.columns + usize::from(x);
@@ -163,20 +161,11 @@ impl Cells {
                 let border = |c: u16, first: u16| if c == first { f32::NEG_INFINITY } else { f32::from(c) * CELL_PX };
                 let least =
                     f32x4::new([border(x, range.x[0]), border(y, range.y[0]), f32::NEG_INFINITY, f32::NEG_INFINITY]);
-                for &i in &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
-                    let entry = &self.entries[i as usize];
-                    let bounds = f32x4::new(entry.bounds);
-                    if (bounds.simd_le(most) & bounds.simd_ge(least)).all() {
-                        near.push(entry);
-                    }
-                }
+                let list = &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+                near.add(list, |bounds| (bounds.simd_le(greatest) & bounds.simd_ge(least)).all());
             }
         }
-        for entry in &self.large {
-            if f32x4::new(entry.bounds).simd_le(most).all() {
-                near.push(entry);
-            }
-        }
+        near.add(&self.large, |bounds| bounds.simd_le(greatest).all());
     }
 }
 
@@ -185,51 +174,41 @@ fn greatest(query: NegatedBox) -> [f32; 4] {
     [-query[2], -query[3], -query[0], -query[1]]
 }
 
-/// The polygons near a stretch of stroke, their boxes in lanes.
+/// The polygons near a stretch of stroke. Both loops are without branches: which boxes touch is anyone's guess.
 #[derive(Debug, Default)]
 pub(super) struct Near {
-    blocks: Vec<[f32x4; 4]>,
-    orders: Vec<[u32; 4]>,
+    /// The first `count` count.
+    entries: Vec<Entry>,
     count: usize,
 }
 
 impl Near {
-    fn clear(&mut self) {
-        self.blocks.clear();
-        self.orders.clear();
-        self.count = 0;
-    }
-
     #[inline(always)]
-    fn push(&mut self, entry: &Entry) {
-        let lane = self.count % 4;
-        if lane == 0 {
-            self.blocks.push([f32x4::splat(f32::INFINITY); 4]);
-            self.orders.push([NONE; 4]);
+    fn add(&mut self, list: &[Entry], touches: impl Fn(f32x4) -> bool) {
+        let most = self.count + list.len();
+        if self.entries.len() < most {
+            self.entries.resize(most, NO_ENTRY);
         }
-        let block = self.count / 4;
-        for (lanes, value) in self.blocks[block].iter_mut().zip(entry.bounds) {
-            lanes.as_mut_array()[lane] = value;
+        let free = &mut self.entries[self.count..most];
+        let mut added = 0;
+        for entry in list {
+            let place = &mut free[added];
+            (place.bounds, place.order) = (entry.bounds, entry.order);
+            added += usize::from(touches(entry.bounds));
         }
-        self.orders[block][lane] = entry.order;
-        self.count += 1;
+        self.count += added;
     }
 
-    /// Replaces `found` by those whose boxes touch `query`, without those to skip. Without branches: which ones touch is
-    /// anyone's guess.
+    /// Replaces `found` by those whose boxes touch `query`, without those to skip.
     #[inline(always)]
     pub fn select(&self, query: NegatedBox, skip: [u32; 3], found: &mut Vec<u32>) {
-        found.resize(4 * self.blocks.len(), NONE);
-        let most = greatest(query).map(f32x4::splat);
+        found.resize(self.count, NONE);
+        let greatest = f32x4::new(greatest(query));
         let mut count = 0;
-        for (block, orders) in self.blocks.iter().zip(&self.orders) {
-            let [a, b, c, d] = std::array::from_fn(|i| block[i].simd_le(most[i]));
-            let touching = (a & b & c & d).to_bitmask();
-            for (lane, &order) in orders.iter().enumerate() {
-                found[count] = order;
-                let skipped = (order == skip[0]) | (order == skip[1]) | (order == skip[2]);
-                count += (touching as usize >> lane) & usize::from(!skipped);
-            }
+        for &Entry { bounds, order } in &self.entries[..self.count] {
+            found[count] = order;
+            let skipped = (order == skip[0]) | (order == skip[1]) | (order == skip[2]);
+            count += usize::from(bounds.simd_le(greatest).all() & !skipped);
         }
         found.truncate(count);
     }

@@ -1,7 +1,7 @@
 //! The exact rasteriser: its stages in order, on one thread or several, to the same bits.
 
 use super::Raster;
-use super::cells::{Cells, Near};
+use super::cells::Cells;
 use super::joints::{self, Joint};
 use super::outline::{Outline, Scene};
 use super::pieces::{self, NONE, Node, Piece};
@@ -59,7 +59,6 @@ pub struct ExactRaster {
     left: Vec<i32>,
     sums: Vec<i32>,
     coverage: Vec<f32>,
-    near: Near,
 }
 
 impl ExactRaster {
@@ -128,27 +127,8 @@ impl ExactRaster {
         done("outline");
         finish_rows(width, &mut self.sums, &self.left, &mut self.coverage);
         self.sums[width * height] = 0;
-        self.close_leaks();
         done("rows");
         &self.coverage
-    }
-
-    /// Clears what leaks to the end of a row. Where rounding loses a whole edge among many that nearly coincide, the
-    /// row's sum stays whole behind it, and the gaps between strokes up to the right border look inked: pixels that
-    /// no polygon's box touches.
-    fn close_leaks(&mut self) {
-        let pixel = |x: usize, y: usize| [x as f32, y as f32, -((x + 1) as f32), -((y + 1) as f32)];
-        for (y, row) in self.coverage.chunks_exact_mut(self.width).enumerate() {
-            let last = self.width - 1;
-            if row[last] < 1.0 || !self.cells.is_clear(pixel(last, y), &mut self.near) {
-                continue;
-            }
-            for (x, coverage) in row.iter_mut().enumerate() {
-                if *coverage >= 1.0 && self.cells.is_clear(pixel(x, y), &mut self.near) {
-                    *coverage = 0.0;
-                }
-            }
-        }
     }
 
     fn chunks(&self) -> usize {
@@ -199,40 +179,4 @@ fn finish_rows(width: usize, sums: &mut [i32], left: &[i32], coverage: &mut [f32
         return;
     }
     sums.chunks_exact_mut(width).zip(coverage.chunks_exact_mut(width)).zip(left).for_each(finish);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn leaks_are_closed_and_ink_stays() {
-        let strokes = [
-            Stroke { start: 0, count: 2, closed: false },
-            Stroke { start: 2, count: 2, closed: false },
-            Stroke { start: 4, count: 2, closed: false },
-        ];
-        // Two strokes with a gap between, and one that runs out of the picture on the right.
-        let vertices = [
-            [4.0, 2.0, 1.5],
-            [4.0, 30.0, 1.5],
-            [20.0, 2.0, 1.5],
-            [20.0, 30.0, 1.5],
-            [10.0, 16.0, 2.5],
-            [50.0, 16.0, 2.5],
-        ];
-        let mut raster = ExactRaster::new();
-        let clean = raster.forward(32, 32, &vertices, &strokes).to_vec();
-        assert_eq!(clean[16 * 32 + 31], 1.0, "ink at the border is no leak");
-        raster.coverage[8 * 32 + 6..9 * 32].fill(1.0);
-        let leaking = raster.coverage.clone();
-        raster.close_leaks();
-        assert_ne!(leaking, clean);
-        // Pixels that a box touches are left as they are.
-        for (x, (closed, clean)) in raster.coverage.iter().zip(&clean).enumerate().skip(8 * 32).take(32) {
-            assert!(closed == clean || (17..23).contains(&(x % 32)) || x % 32 == 6, "{x}: {closed}, not {clean}");
-        }
-        assert_eq!(raster.coverage[..8 * 32], clean[..8 * 32]);
-        assert_eq!(raster.coverage[9 * 32..], clean[9 * 32..]);
-    }
 }

@@ -1,11 +1,15 @@
 //! Which part of an edge other polygons hide: exact intervals, no samples, no square roots but one a polygon.
 
+use super::extremes::{least, most};
 use super::shapes::{Circles, ORDER_MARGIN_PX, Polygon, Quad, Shapes};
 use wide::f32x4;
 
-/// A straight stretch of one polygon's border, from `start` to `start + step`.
+/// A straight stretch of one polygon's border, from `origin + start` to `origin + start + step`. Relative to a node
+/// of its own, so that it is known far better than places in the picture are in f32: two polygons must agree on
+/// which of them reaches further.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
+    pub origin: [f32; 2],
     pub start: [f32; 2],
     pub step: [f32; 2],
     /// Place of its polygon in the total order.
@@ -13,6 +17,17 @@ pub(super) struct Edge {
 }
 
 impl Edge {
+    /// Where it begins in the picture.
+    pub fn place(&self) -> [f32; 2] {
+        [self.origin[0] + self.start[0], self.origin[1] + self.start[1]]
+    }
+
+    /// Where it begins, relative to `origin`.
+    #[inline(always)]
+    fn seen_from(&self, origin: [f32; 2]) -> [f32; 2] {
+        [self.origin[0] - origin[0] + self.start[0], self.origin[1] - origin[1] + self.start[1]]
+    }
+
     /// The stretch of this edge between two of its parameters.
     pub fn part(&self, from: f32, to: f32) -> Edge {
         let ([x, y], [dx, dy]) = (self.start, self.step);
@@ -70,20 +85,32 @@ pub(super) fn visible_parts(
         if from > reached + SHORTEST_VISIBLE {
             visible.push([reached, from]);
         }
-        reached = reached.max(to);
+        reached = most(reached, to);
     }
     if reached < 1.0 - SHORTEST_VISIBLE {
         visible.push([reached, 1.0]);
     }
 }
 
+#[inline(always)]
+fn last_of(lanes: f32x4) -> f32 {
+    let [a, b, c, d] = lanes.to_array();
+    most(most(a, b), most(c, d))
+}
+
+#[inline(always)]
+fn first_of(lanes: f32x4) -> f32 {
+    let [a, b, c, d] = lanes.to_array();
+    least(least(a, b), least(c, d))
+}
+
 /// The part of the edge inside four half-planes. `value` is the signed distance at the edge's middle, `change` its
 /// change from start to end.
 #[inline(always)]
 fn hidden_by_quad(edge: &Edge, quad: &Quad, margin: f32) -> Hidden {
-    let ([x, y], [dx, dy]) = (edge.start, edge.step);
-    let wx = f32x4::splat(x + 0.5 * dx - quad.origin[0]);
-    let wy = f32x4::splat(y + 0.5 * dy - quad.origin[1]);
+    let ([x, y], [dx, dy]) = (edge.seen_from(quad.origin), edge.step);
+    let wx = f32x4::splat(x + 0.5 * dx);
+    let wy = f32x4::splat(y + 0.5 * dy);
     let value = quad.normal_x * wx + quad.normal_y * wy - (quad.offset + quad.margin * f32x4::splat(margin));
     let change = quad.normal_x * f32x4::splat(dx) + quad.normal_y * f32x4::splat(dy);
     let half = change.abs() * f32x4::splat(0.5);
@@ -96,10 +123,9 @@ fn hidden_by_quad(edge: &Edge, quad: &Quad, margin: f32) -> Hidden {
     }
     // Lanes that do not change divide by zero; neither mask takes them.
     let root = f32x4::splat(0.5) - value / change;
-    let enters = change.simd_lt(zero).bitselect(root, zero).to_array();
-    let leaves = change.simd_gt(zero).bitselect(root, f32x4::ONE).to_array();
-    let from = enters[0].max(enters[1]).max(enters[2].max(enters[3])).max(0.0);
-    let to = leaves[0].min(leaves[1]).min(leaves[2].min(leaves[3])).min(1.0);
+    let enters = change.simd_lt(zero).bitselect(root, zero);
+    let leaves = change.simd_gt(zero).bitselect(root, f32x4::ONE);
+    let [from, to] = [most(last_of(enters), 0.0), least(first_of(leaves), 1.0)];
     if to - from > SHORTEST_HIDDEN { Hidden::Between(from, to) } else { Hidden::Nothing }
 }
 
@@ -109,8 +135,7 @@ fn hidden_by_polygon(edge: &Edge, polygon: &Polygon, circles: &Circles, margin: 
     if radius <= 0.0 || polygon.sides == 0 {
         return Hidden::Nothing;
     }
-    let ([x, y], [dx, dy]) = (edge.start, edge.step);
-    let (wx, wy) = (x - polygon.center[0], y - polygon.center[1]);
+    let ([wx, wy], [dx, dy]) = (edge.seen_from(polygon.center), edge.step);
     let (ex, ey) = (wx + dx, wy + dy);
     let inner = radius * radius;
     if wx * wx + wy * wy < inner && ex * ex + ey * ey < inner {
@@ -133,12 +158,10 @@ fn hidden_by_polygon(edge: &Edge, polygon: &Polygon, circles: &Circles, margin: 
         let still = change.abs().simd_lt(f32x4::splat(1e-20));
         let root = -value / still.bitselect(f32x4::splat(1e-20), change);
         let rising = !change.simd_lt(zero);
-        enters = enters.max(rising.bitselect(enters, root));
-        leaves = leaves.min(rising.bitselect(root, leaves));
+        enters = enters.fast_max(rising.bitselect(enters, root));
+        leaves = leaves.fast_min(rising.bitselect(root, leaves));
     }
-    let (enters, leaves) = (enters.to_array(), leaves.to_array());
-    let from = enters[0].max(enters[1]).max(enters[2].max(enters[3]));
-    let to = leaves[0].min(leaves[1]).min(leaves[2].min(leaves[3]));
+    let [from, to] = [last_of(enters), first_of(leaves)];
     if from <= 0.0 && to >= 1.0 {
         Hidden::Everything
     } else if to - from > SHORTEST_HIDDEN {

@@ -1,5 +1,6 @@
 //! How two pieces meet at a node, decided for both sides at once.
 
+use super::extremes::least;
 use super::pieces::{NONE, Node, Piece};
 
 /// How the sides of the two pieces at a node end.
@@ -16,7 +17,8 @@ pub(super) enum Kind {
     Hard,
 }
 
-/// Index 0 is the side with the axis turned from x to y, index 1 the other.
+/// Index 0 is the side with the axis turned from x to y, index 1 the other. Points are relative to the node, where f32
+/// has digits to spare.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Joint {
     pub kind: Kind,
@@ -50,7 +52,7 @@ const SIDES: [f32; 2] = [1.0, -1.0];
 
 fn tangent_point(node: &Node, piece: &Piece, side: f32) -> [f32; 2] {
     let [nx, ny] = piece.normal(side);
-    [node.center[0] + node.radius * nx, node.center[1] + node.radius * ny]
+    [node.radius * nx, node.radius * ny]
 }
 
 fn hard(node: &Node, before: &Piece, after: &Piece) -> Joint {
@@ -66,7 +68,7 @@ fn joint(node: &Node, before: &Piece, after: &Piece) -> Joint {
     if !before.has_sides || !after.has_sides {
         return hard(node, before, after);
     }
-    let tightest = TRIM_SHARE * before.length.min(after.length) * before.cosine.min(after.cosine);
+    let tightest = TRIM_SHARE * least(before.length, after.length) * least(before.cosine, after.cosine);
     let mut joint = Joint { kind: Kind::Mitred, shared: [true; 2], ..Joint::default() };
     for (i, side) in SIDES.into_iter().enumerate() {
         let (a, b) = (before.normal(side), after.normal(side));
@@ -84,7 +86,7 @@ fn joint(node: &Node, before: &Piece, after: &Piece) -> Joint {
             joint.before[i] = tangent_point(node, before, side);
             joint.after[i] = tangent_point(node, after, side);
         } else {
-            let meet = [node.center[0] + reach * (a[0] + b[0]), node.center[1] + reach * (a[1] + b[1])];
+            let meet = [reach * (a[0] + b[0]), reach * (a[1] + b[1])];
             joint.before[i] = meet;
             joint.after[i] = meet;
             joint.extension[i] = if outer { extension } else { -extension };

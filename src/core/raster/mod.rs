@@ -7,6 +7,7 @@ mod band;
 mod cells;
 mod check;
 mod exact;
+mod extremes;
 pub mod flatten;
 mod hidden;
 mod joints;
@@ -39,7 +40,7 @@ pub const FARTHEST_PX: f32 = 1e6;
 
 /// What shaders share with the stages here, by the same name.
 #[cfg(feature = "gpu")]
-pub fn constants() -> [(&'static str, f32); 14] {
+pub fn constants() -> [(&'static str, f32); 15] {
     [
         ("FARTHEST_PX", FARTHEST_PX),
         ("LEAST_OUTCROP_PX", pieces::LEAST_OUTCROP_PX),
@@ -47,6 +48,7 @@ pub fn constants() -> [(&'static str, f32); 14] {
         ("SHARPEST_MITRE", joints::SHARPEST_MITRE),
         ("TRIM_SHARE", joints::TRIM_SHARE),
         ("ORDER_MARGIN_PX", shapes::ORDER_MARGIN_PX),
+        ("BOX_MARGIN_PX", shapes::BOX_MARGIN_PX),
         ("ARC_TOLERANCE_PX", shapes::ARC_TOLERANCE_PX),
         ("SMALLEST_RADIUS_PX", shapes::SMALLEST_RADIUS_PX),
         ("CELL_PX", CELL_PX),

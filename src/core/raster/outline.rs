@@ -1,6 +1,7 @@
 //! The visible outline of a range of nodes: the sides and drawn end lines of their pieces, their vertex polygons.
 
 use super::cells::{Cells, Near, overlap};
+use super::extremes::{least, most};
 use super::hidden::{Edge, visible_parts};
 use super::joints::{Joint, Kind};
 use super::pieces::{NONE, Node, Piece};
@@ -77,7 +78,7 @@ impl Outline {
         let picture = [0.0, 0.0, -(scene.width as f32), -(scene.height as f32)];
         let boxes = &scene.shapes.boxes;
         let bounds = |k: usize| hull(boxes[polygon_order(k) as usize], boxes[quad_order(k) as usize]);
-        let extent = |b: NegatedBox| (-b[2] - b[0]).max(-b[3] - b[1]);
+        let extent = |b: NegatedBox| most(-b[2] - b[0], -b[3] - b[1]);
         let mut grouped = range.start;
         for k in range.clone() {
             let own = bounds(k);
@@ -137,7 +138,7 @@ impl Outline {
         let mut y = 0.0;
         while y < height {
             let step = (height - y).min(8.0);
-            let edge = Edge { start: [0.0, y], step: [0.0, step], order: NONE };
+            let edge = Edge { origin: [0.0; 2], start: [0.0, y], step: [0.0, step], order: NONE };
             let query = [0.0, y, 0.0, -y - step];
             scene.cells.gather(query, &mut self.near);
             self.near.select(query, [NONE; 3], &mut self.candidates);
@@ -154,7 +155,7 @@ impl Outline {
                 let [to, next] = self.visible.get(i).copied().unwrap_or([1.0, 1.0]);
                 if to > from {
                     let part = edge.part(from, to);
-                    let stretch = Stretch { start: part.start, step: part.step, u: [0.0; 2] };
+                    let stretch = Stretch { start: part.place(), step: part.step, u: [0.0; 2] };
                     walk(1, scene.height, &stretch, &mut self.sub_edges);
                 }
                 from = next;
@@ -170,28 +171,33 @@ impl Outline {
     fn trace_sides(&mut self, scene: &Scene, k: usize) {
         let (node, piece) = (&scene.nodes[k], &scene.pieces[k]);
         let (start, end) = (&scene.joints[k], &scene.joints[node.next as usize]);
+        let origin = node.center;
+        let next = scene.nodes[node.next as usize].center;
         let per_px = 1.0 / (piece.length * piece.cosine);
         for (i, side) in [1.0f32, -1.0].into_iter().enumerate() {
             let order = quad_order(k);
             let neighbour = |joint: &Joint, piece: u32| if joint.shared[i] { quad_order(piece as usize) } else { NONE };
             let skip = [order, neighbour(start, node.previous), neighbour(end, node.next)];
-            let (mut from, mut to) = (start.after[i], end.before[i]);
+            let [x, y] = end.before[i];
+            let (mut from, mut to) = (start.after[i], [next[0] - origin[0] + x, next[1] - origin[1] + y]);
             let mut u = [-start.extension[i] * per_px, 1.0 + end.extension[i] * per_px];
             if i == 1 {
                 // Counter-clockwise round the piece: this side runs backwards.
                 (from, to) = (to, from);
                 u.swap(0, 1);
             }
-            let edge = Edge { start: from, step: [to[0] - from[0], to[1] - from[1]], order };
+            let edge = Edge { origin, start: from, step: [to[0] - from[0], to[1] - from[1]], order };
             self.trace_edge(scene, &Moving { edge, skip, node: k, normal: piece.normal(side), radius_weight: 1.0, u });
         }
     }
 
     /// The end lines of soft joints. They move with their node; that they also turn is left out.
     fn trace_end_lines(&mut self, scene: &Scene, k: usize) {
-        let (start, end) = (&scene.joints[k], &scene.joints[scene.nodes[k].next as usize]);
-        let lines = [(start.kind, start.after[1], start.after[0], 0.0), (end.kind, end.before[0], end.before[1], 1.0)];
-        for (kind, from, to, u) in lines {
+        let next = scene.nodes[k].next as usize;
+        let (start, end) = (&scene.joints[k], &scene.joints[next]);
+        let lines =
+            [(k, start.kind, start.after[1], start.after[0], 0.0), (next, end.kind, end.before[0], end.before[1], 1.0)];
+        for (node, kind, from, to, u) in lines {
             if kind != Kind::Soft {
                 continue;
             }
@@ -199,7 +205,8 @@ impl Outline {
             let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
             let normal = [-step[1] / length, step[0] / length];
             let order = quad_order(k);
-            let (edge, skip) = (Edge { start: from, step, order }, [order, NONE, NONE]);
+            let (edge, skip) =
+                (Edge { origin: scene.nodes[node].center, start: from, step, order }, [order, NONE, NONE]);
             self.trace_edge(scene, &Moving { edge, skip, node: k, normal, radius_weight: 0.0, u: [u; 2] });
         }
     }
@@ -213,9 +220,8 @@ impl Outline {
         let half = polygon.radius * (std::f32::consts::PI / polygon.sides as f32).tan();
         for &normal in scene.circles.normals(polygon.sides) {
             let [nx, ny] = normal;
-            let middle = [polygon.center[0] + polygon.radius * nx, polygon.center[1] + polygon.radius * ny];
-            let start = [middle[0] - half * ny, middle[1] + half * nx];
-            let edge = Edge { start, step: [2.0 * half * ny, -2.0 * half * nx], order };
+            let start = [polygon.radius * nx - half * ny, polygon.radius * ny + half * nx];
+            let edge = Edge { origin: polygon.center, start, step: [2.0 * half * ny, -2.0 * half * nx], order };
             let skip = [order, NONE, NONE];
             self.trace_edge(scene, &Moving { edge, skip, node: k, normal, radius_weight: 1.0, u: [0.0; 2] });
         }
@@ -225,11 +231,11 @@ impl Outline {
     fn trace_edge(&mut self, scene: &Scene, moving: &Moving) {
         let Moving { edge, skip, u, .. } = moving;
         let [dx, dy] = edge.step;
-        if dx.abs().max(dy.abs()) < SHORTEST_EDGE_PX {
+        if most(dx.abs(), dy.abs()) < SHORTEST_EDGE_PX {
             return;
         }
         let (width, height) = (scene.width as f32, scene.height as f32);
-        let Some([from, to]) = clip(edge.start, edge.step, width, height) else { return };
+        let Some([from, to]) = clip(edge.place(), edge.step, width, height) else { return };
         let length = (dx * dx + dy * dy).sqrt();
         let parts = match self.near_box {
             Some(_) => 1,
@@ -258,8 +264,9 @@ impl Outline {
             for &[a, b] in &self.visible {
                 let inside = |p: [f32; 2]| [p[0].clamp(0.0, width), p[1].clamp(0.0, height)];
                 let seen = part.part(a, b);
-                let start = inside(seen.start);
-                let end = inside([seen.start[0] + seen.step[0], seen.start[1] + seen.step[1]]);
+                let [x, y] = seen.place();
+                let start = inside([x, y]);
+                let end = inside([x + seen.step[0], y + seen.step[1]]);
                 let step = [end[0] - start[0], end[1] - start[1]];
                 let stretch = Stretch { start, step, u: [u_at(a), u_at(b) - u_at(a)] };
                 walk(scene.width, scene.height, &stretch, &mut self.sub_edges);
@@ -278,6 +285,6 @@ impl Outline {
 }
 
 fn bounds(edge: &Edge) -> NegatedBox {
-    let ([x, y], [dx, dy]) = (edge.start, edge.step);
-    [x.min(x + dx), y.min(y + dy), -x.max(x + dx), -y.max(y + dy)]
+    let ([x, y], [dx, dy]) = (edge.place(), edge.step);
+    [least(x, x + dx), least(y, y + dy), -most(x, x + dx), -most(y, y + dy)]
 }

@@ -1,5 +1,6 @@
 //! From strokes to nodes and straight pieces: the first stage of the exact rasteriser.
 
+use super::extremes::{least, most};
 use super::usable;
 use crate::wire::Stroke;
 
@@ -41,7 +42,7 @@ impl Piece {
         let length = (dx * dx + dy * dy).sqrt();
         let rise = b.radius - a.radius;
         let outcrop = length - rise.abs();
-        if length < SHORTEST_PX || outcrop < LEAST_OUTCROP_PX.min(0.02 * length) {
+        if length < SHORTEST_PX || outcrop < least(LEAST_OUTCROP_PX, 0.02 * length) {
             return Piece { length, ..Piece::default() };
         }
         let sine = rise / length;
@@ -78,7 +79,7 @@ pub(super) fn build(vertices: &[[f32; 3]], strokes: &[Stroke], nodes: &mut Vec<N
             if joined {
                 nodes[index as usize - 1].next = index;
             }
-            let radius = radius.max(0.0);
+            let radius = most(radius, 0.0);
             nodes.push(Node { center: [x, y], radius, vertex: vertex as u32, previous, next: NONE });
             joined = true;
         }

@@ -13,22 +13,23 @@ pub(super) fn add(sub_edges: &[SubEdge], sums: &mut [i32]) {
 
 /// Turns one row of sums into coverage and clears the sums. `left` is the row's sum left of the picture.
 ///
-/// A pixel no outline runs through is wholly in or out, so the running sum is rounded there: what two edges that
-/// should meet are apart by rounding never leaks further than to the next such pixel.
+/// A pixel no outline runs through is wholly in or out, so the running sum becomes one or the other there: what two
+/// edges that should meet are apart by rounding, or an edge that counts twice because two polygons reach equally far,
+/// never leaks further than to the next such pixel.
 pub(super) fn finish(sums: &mut [i32], left: i32, coverage: &mut [f32]) {
     const GROUP: usize = 8;
     let mut running = left;
-    let mut groups = sums.chunks_exact_mut(GROUP);
-    let mut outputs = coverage.chunks_exact_mut(GROUP);
-    for (sums, coverage) in (&mut groups).zip(&mut outputs) {
+    let (groups, last_sums) = sums.as_chunks_mut::<GROUP>();
+    let (outputs, last_coverage) = coverage.as_chunks_mut::<GROUP>();
+    for (sums, coverage) in groups.iter_mut().zip(outputs) {
         if sums.iter().fold(0, |all, &sum| all | sum) == 0 {
             running = whole(running);
-            coverage.fill(shade(running));
+            *coverage = [shade(running); GROUP];
         } else {
             finish_pixels(sums, &mut running, coverage);
         }
     }
-    finish_pixels(groups.into_remainder(), &mut running, outputs.into_remainder());
+    finish_pixels(last_sums, &mut running, last_coverage);
 }
 
 #[inline(always)]
@@ -43,13 +44,13 @@ fn finish_pixels(sums: &mut [i32], running: &mut i32, coverage: &mut [f32]) {
     }
 }
 
-/// The nearest whole winding number.
+/// In or out, whichever is nearer.
 #[inline(always)]
 fn whole(sum: i32) -> i32 {
-    sum.wrapping_add(UNIT / 2) & !(UNIT - 1)
+    if sum >= UNIT / 2 { UNIT } else { 0 }
 }
 
 #[inline(always)]
 fn shade(sum: i32) -> f32 {
-    (sum.wrapping_abs() as f32 * (1.0 / UNIT as f32)).clamp(0.0, 1.0)
+    (sum as f32 * (1.0 / UNIT as f32)).clamp(0.0, 1.0)
 }

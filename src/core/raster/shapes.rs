@@ -4,12 +4,15 @@
 //! stand in one total order, see [`quad_order`] and [`polygon_order`]: of two edges that lie on each other exactly
 //! one stays, because a polygon of lower order hides a touch more and one of higher order a touch less.
 
+use super::extremes::least;
 use super::joints::{Joint, Kind};
 use super::pieces::{NONE, Node, Piece};
 use wide::f32x4;
 
 /// By how much (in pixels) a polygon grows or shrinks when it hides.
-pub(super) const ORDER_MARGIN_PX: f32 = 2e-4;
+pub(super) const ORDER_MARGIN_PX: f32 = 1e-5;
+/// By how much (in pixels) boxes are larger than what they hold: their borders are places in the picture, rounded.
+pub(super) const BOX_MARGIN_PX: f32 = 1e-3;
 /// How far (in pixels) a vertex polygon may stick out of its disc.
 pub(super) const ARC_TOLERANCE_PX: f32 = 0.01;
 /// Vertex polygons have 8, 10, … 64 sides, then powers of two up to this.
@@ -56,7 +59,7 @@ pub(super) type NegatedBox = [f32; 4];
 pub(super) const EMPTY_BOX: NegatedBox = [f32::INFINITY; 4];
 
 pub(super) fn hull(a: NegatedBox, b: NegatedBox) -> NegatedBox {
-    std::array::from_fn(|i| a[i].min(b[i]))
+    std::array::from_fn(|i| least(a[i], b[i]))
 }
 
 pub(super) fn disc_box(center: [f32; 2], radius: f32) -> NegatedBox {
@@ -83,15 +86,18 @@ impl Shapes {
             };
             self.boxes.push(match polygon.sides {
                 0 => EMPTY_BOX,
-                _ => disc_box(node.center, polygon.radius * polygon.stretch + 2.0 * ORDER_MARGIN_PX),
+                _ => disc_box(node.center, polygon.radius * polygon.stretch + BOX_MARGIN_PX),
             });
             self.polygons.push(polygon);
             if piece.has_sides && node.next != NONE {
                 let (start, end) = (&joints[k], &joints[node.next as usize]);
-                self.quads.push(quad(node, piece, start, end));
-                let corners = [start.after[0], start.after[1], end.before[0], end.before[1]];
-                let margin = 4.0 * ORDER_MARGIN_PX;
-                self.boxes.push(corners.map(|corner| disc_box(corner, margin)).into_iter().fold(EMPTY_BOX, hull));
+                self.quads.push(quad(node, &nodes[node.next as usize], piece, start, end));
+                let next = &nodes[node.next as usize];
+                let at =
+                    |node: &Node, [x, y]: [f32; 2]| disc_box([node.center[0] + x, node.center[1] + y], BOX_MARGIN_PX);
+                let first = hull(at(node, start.after[0]), at(node, start.after[1]));
+                let last = hull(at(next, end.before[0]), at(next, end.before[1]));
+                self.boxes.push(hull(first, last));
             } else {
                 self.quads.push(Quad {
                     normal_x: f32x4::ZERO,
@@ -106,7 +112,7 @@ impl Shapes {
     }
 }
 
-fn quad(node: &Node, piece: &Piece, start: &Joint, end: &Joint) -> Quad {
+fn quad(node: &Node, next: &Node, piece: &Piece, start: &Joint, end: &Joint) -> Quad {
     let (left, right) = (piece.normal(1.0), piece.normal(-1.0));
     // The line through two corners, its normal towards `outward` along the axis.
     let end_line = |p: [f32; 2], q: [f32; 2], outward: f32| {
@@ -117,11 +123,12 @@ fn quad(node: &Node, piece: &Piece, start: &Joint, end: &Joint) -> Quad {
         if (normal[0] * ux + normal[1] * uy) * outward < 0.0 {
             normal = normal.map(|c| -c);
         }
-        let offset = normal[0] * (p[0] - node.center[0]) + normal[1] * (p[1] - node.center[1]);
-        (normal, offset)
+        (normal, normal[0] * p[0] + normal[1] * p[1])
     };
     let (first, first_offset) = end_line(start.after[0], start.after[1], -1.0);
     let (last, last_offset) = end_line(end.before[0], end.before[1], 1.0);
+    let last_offset =
+        last_offset + last[0] * (next.center[0] - node.center[0]) + last[1] * (next.center[1] - node.center[1]);
     let drawn = |joint: &Joint| if joint.kind == Kind::Soft { 1.0 } else { 0.0 };
     let (drawn_first, drawn_last) = (drawn(start), drawn(end));
     // An end line that is not drawn lies inside a neighbour: reach into it.
@@ -201,7 +208,7 @@ impl Default for Circles {
 
 impl Circles {
     fn polygon(&self, node: &Node) -> Polygon {
-        let step = (8.0 * ARC_TOLERANCE_PX / node.radius).sqrt().min(std::f32::consts::FRAC_PI_4);
+        let step = least((8.0 * ARC_TOLERANCE_PX / node.radius).sqrt(), std::f32::consts::FRAC_PI_4);
         let sides = ring(2 * (std::f32::consts::PI / step).ceil() as usize).0;
         let stretch = 1.0 / (std::f32::consts::PI / sides as f32).cos();
         Polygon { center: node.center, radius: node.radius, sides: sides as u32, stretch }

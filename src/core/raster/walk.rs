@@ -1,6 +1,9 @@
 //! Visible outline to pixels: each edge is cut where it crosses a pixel border, and each cut piece, a sub-edge, says
 //! which area it closes off (forward) and how much outline lies in its pixel (backward).
 
+use super::extremes::{least, most};
+use wide::f32x4;
+
 /// One unit of coverage in the integer sums: 2^20 steps, shifted by one bit to leave room for [`TOUCHED`].
 pub(super) const UNIT: i32 = 1 << 21;
 /// Bit 0 of a pixel's sum: some outline runs through it. All addends are even.
@@ -33,7 +36,7 @@ pub(super) struct Stretch {
 pub(super) fn clip(start: [f32; 2], step: [f32; 2], width: f32, height: f32) -> Option<[f32; 2]> {
     let (mut from, mut to) = (0.0f32, 1.0f32);
     for (p, d, limit) in [(start[0], step[0], width), (start[1], step[1], height)] {
-        let (low, high) = (p.min(p + d), p.max(p + d));
+        let (low, high) = (least(p, p + d), most(p, p + d));
         if low >= 0.0 && high <= limit {
             continue;
         }
@@ -42,8 +45,8 @@ pub(super) fn clip(start: [f32; 2], step: [f32; 2], width: f32, height: f32) -> 
             return None;
         }
         let (t, u) = (-p / d, (limit - p) / d);
-        from = from.max(t.min(u));
-        to = to.min(t.max(u));
+        from = most(from, least(t, u));
+        to = least(to, most(t, u));
     }
     (from < to).then_some([from, to])
 }
@@ -54,14 +57,17 @@ pub(super) fn walk(width: usize, height: usize, stretch: &Stretch, sub_edges: &m
     let ([x0, y0], [dx, dy], [u, du]) = (stretch.start, stretch.step, stretch.u);
     let length = (dx * dx + dy * dy).sqrt();
     let (columns, rows) = (width as i32, height as i32);
-    let mut column = (x0 as i32).min(columns - 1);
-    let mut row = (y0 as i32).min(rows - 1);
+    // Four at once: one by one, casts must mind what no i32 holds.
+    let [first_column, first_row, last_column, last_row] =
+        f32x4::new([x0, y0, x0 + dx, y0 + dy]).fast_trunc_int().to_array();
+    let mut column = first_column.min(columns - 1);
+    let mut row = first_row.min(rows - 1);
     let cut = |column: i32, row: i32, from: f32, to: f32| {
-        let share = (to - from).max(0.0);
+        let share = most(to - from, 0.0);
         let middle = 0.5 * (from + to);
         let into_pixel = (x0 + dx * middle - column as f32).clamp(0.0, 1.0);
         let steps = dy * share * (UNIT / 2) as f32;
-        let (whole, rest) = (steps as i32, (steps * into_pixel) as i32);
+        let [whole, rest, ..] = f32x4::new([steps, steps * into_pixel, 0.0, 0.0]).fast_trunc_int().to_array();
         SubEdge {
             pixel: (row * columns + column) as u32,
             area: (whole - rest) * 2,
@@ -70,7 +76,7 @@ pub(super) fn walk(width: usize, height: usize, stretch: &Stretch, sub_edges: &m
             u: u + du * middle,
         }
     };
-    if column == (x0 + dx) as i32 && row == (y0 + dy) as i32 {
+    if column == last_column && row == last_row {
         sub_edges.push(cut(column, row, 0.0, 1.0));
         return;
     }
@@ -79,7 +85,7 @@ pub(super) fn walk(width: usize, height: usize, stretch: &Stretch, sub_edges: &m
     let (mut next_y, pace_y, step_y) = pace(y0, dy, row);
     let mut t = 0.0f32;
     loop {
-        let until = next_x.min(next_y).min(1.0);
+        let until = least(least(next_x, next_y), 1.0);
         sub_edges.push(cut(column, row, t, until));
         if until >= 1.0 {
             break;
