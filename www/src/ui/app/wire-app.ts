@@ -91,6 +91,8 @@ export class WireApp extends LitElement {
           .room=${look.room}
           .body=${parts?.body?.(now) ?? null}
           .through=${this.through}
+          .busy=${!idle && now.phase !== "paused"}
+          .covered=${this.editing !== null}
           @look-change=${this.changeLook}
           @see-through=${this.seeThrough}
         ></wire-stage>
