@@ -25,8 +25,8 @@ const STEP_MS = 220;
 /** How long a tour takes to each of its places, and how long the picture stays where it has a name. */
 const TOUR_FLIGHT_MS = 1500;
 const TOUR_STAY_MS = 1000;
-/** On machines that cannot keep up one in so many wires casts shadows. */
-const HASTY_SHADOWS = 3;
+/** Where time is short, each wire casts a shadow on one of the walls, in turns. */
+const WALLS = 3;
 /** The idle camera moves so slowly that half of the frames do. */
 const SWAY_FRAME_MS = 30;
 /** How long after somebody moved the camera they may be about to do so again. */
@@ -92,6 +92,8 @@ export class Scene {
   private breath: ReturnType<typeof setTimeout> | undefined;
   private readonly pace: Pace;
   private heldMs = -Infinity;
+  /** Whether the next picture is to be at its finest, since nothing has changed for a while. */
+  private standsStill = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private swaying = false;
   /** Round and round, and not to and fro. */
@@ -135,10 +137,11 @@ export class Scene {
 
   /** Nobody sees it: nothing is drawn until somebody does. */
   pause(paused: boolean): void {
+    if (paused === this.paused) return;
     this.paused = paused;
     cancelAnimationFrame(this.frame);
     this.frame = 0;
-    this.ask();
+    if (this.breath === undefined) this.ask();
   }
 
   /**
@@ -275,7 +278,7 @@ export class Scene {
     context.fillStyle = this.look.wall;
     if (!transparent) context.fillRect(0, 0, width, height);
     if (this.wireStale || this.fineness < 1) {
-      this.pace.fineness = 1;
+      this.pace.begin(true, false);
       this.loadWire();
     }
     // Shown and copied in the same task, or the browser would have cleared it; and nobody sees it at the wrong size.
@@ -393,6 +396,7 @@ export class Scene {
 
   private invalidate(): void {
     this.stale = true;
+    this.standsStill = false;
     if (this.breath === undefined) this.ask();
   }
 
@@ -430,7 +434,9 @@ export class Scene {
         this.unseen = false;
         this.events.drawn();
       }
-      const breathMs = this.breathe(performance.now() - this.paintedMs);
+      const breathMs = this.pace.end(performance.now() - this.paintedMs, this.stale, this.holding);
+      if (this.pace.overtaxed && !this.pace.rationed) this.swaying = false;
+      this.refineSoon();
       if (breathMs > 0) {
         this.breath = setTimeout(this.ask, breathMs);
         return;
@@ -451,6 +457,8 @@ export class Scene {
       const share = (seconds / SWAY_S) * 2 * Math.PI;
       this.orbit.pose.azimuthRad = this.swayFrom + onset * (this.round ? share : SWAY_RAD * Math.sin(share));
     }
+    this.pace.begin(this.standsStill, this.holding);
+    this.standsStill = false;
     if (this.wireStale) this.loadWire();
     this.paintCanvas();
     this.tellCamera();
@@ -466,18 +474,12 @@ export class Scene {
     this.events.camera({ ...this.orbit.pose });
   }
 
-  /** Coarser when pictures are late; fine again after a rest. How long others have their time now, ms. */
-  private breathe(lateMs: number): number {
-    const held = this.orbit.flying || performance.now() - this.heldMs < HELD_MS;
-    // A picture that nothing follows may take its time.
-    if (this.stale) {
-      this.pace.adapt(lateMs, held);
-      if (this.pace.overtaxed) this.swaying = this.swaying && this.pace.rationed;
-      this.refineSoon();
-    }
-    return this.stale || this.pace.rationed ? this.pace.rest(lateMs, held) : 0;
+  /** Whether somebody moves the camera, or has just sent it somewhere. */
+  private get holding(): boolean {
+    return this.orbit.flying || performance.now() - this.heldMs < HELD_MS;
   }
 
+  /** Fine again after a rest. */
   private refineSoon(): void {
     clearTimeout(this.rest);
     if (this.fineness < 1) this.rest = setTimeout(this.refine, this.pace.refineMs);
@@ -488,9 +490,9 @@ export class Scene {
       this.refineSoon();
       return;
     }
-    this.pace.fineness = 1;
     this.wireStale = true;
     this.invalidate();
+    this.standsStill = true;
   };
 
   private loadWire(): void {
@@ -507,8 +509,13 @@ export class Scene {
       this.painter.load({ count: 0, data: new Float32Array(0) });
     }
     // Where time is short the shadows follow more slowly; the fine picture at rest has them right.
-    const hasty = this.fineness < 1 && this.loads++ % HASTY_SHADOWS > 0;
-    if (this.look.room && !hasty) this.painter.castShadows();
+    if (this.look.room) this.castShadows();
+  }
+
+  private castShadows(): void {
+    const first = this.loads++ === 0;
+    if (this.fineness < 1) this.painter.castShadows(true, first ? null : this.loads % WALLS);
+    else this.painter.castShadows();
   }
 
   private perSpan(wire: WireShape): number {
