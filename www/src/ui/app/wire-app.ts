@@ -189,10 +189,10 @@ export class WireApp extends LitElement {
     void this.studio.begin(location);
   }
 
-  /** Once a frame: a run changes its state more often than anybody sees. */
+  /** Once a frame, for a run changes its state more often than anybody sees; and after it, for the frame has enough to do. */
   protected override async scheduleUpdate(): Promise<void> {
-    if (!this.hasUpdated) await nextTurn();
-    else if (!document.hidden) await new Promise(requestAnimationFrame);
+    if (this.hasUpdated && !document.hidden) await new Promise(requestAnimationFrame);
+    await nextTurn();
     super.scheduleUpdate();
   }
 
