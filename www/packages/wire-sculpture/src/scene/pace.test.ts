@@ -62,6 +62,19 @@ describe("while something else needs the processor", () => {
     expect(pace.fineness).toBe(before);
   });
 
+  it("a small canvas is not drawn coarser than it has pixels to spare", () => {
+    const fineness = (longerPx: number): number => {
+      const pace = rationed(true, 600);
+      pace.resize(longerPx);
+      follow(pace, 600, 5000);
+      return pace.fineness;
+    };
+    expect(fineness(2000)).toBe(COARSEST);
+    expect(fineness(500)).toBeCloseTo(0.68);
+    // Still less than the finest: what is hasty besides saves time.
+    expect(fineness(100)).toBe(0.9);
+  });
+
   it("a graphics card draws as ever", () => {
     const pace = rationed(false, 12);
     expect(pace.rationed).toBe(false);

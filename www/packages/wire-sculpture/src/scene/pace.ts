@@ -16,6 +16,9 @@ const RATIONED_MS = 200;
 /** They follow each other at least like this, or people would think that nothing goes on. */
 const LONGEST_REST_MS = 2000;
 const RATIONED_REFINE_MS = 2000;
+/** But not coarser than this many pixels on their longer side, which gains nothing; a little less than their finest all the same. */
+const FEWEST_PX = 340;
+const LEAST_COARSE = 0.9;
 /** How far they may be from what the share allows: what is drawn finer and coarser in turns flickers. */
 const LEEWAY = 1.6;
 /** Others on the machine only ever make pictures later: the quickest of the last so many says what one costs. */
@@ -25,7 +28,8 @@ export class Pace {
   /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
   fineness = 1;
   private share = 1;
-  /** The fineness that the share allows. */
+  /** Within a share of the time, and the fineness that this allows. */
+  private coarsest = COARSEST;
   private allowed = COARSEST;
   /** What the last pictures took, ms, as if they had been drawn at their finest: most of it goes by the pixels. */
   private readonly times: number[] = [];
@@ -33,6 +37,12 @@ export class Pace {
 
   /** Whether the processor draws, so that pictures take its time from others. */
   constructor(private readonly byProcessor: boolean) {}
+
+  /** The longer side of the canvas, pixels. */
+  resize(longerPx: number): void {
+    this.coarsest = Math.max(COARSEST, Math.min(LEAST_COARSE, FEWEST_PX / longerPx));
+    this.allowed = Math.max(this.coarsest, this.allowed);
+  }
 
   /** Where the processor draws, this share of the time may go into pictures, above 0 to 1. A graphics card is nobody else's. */
   ration(share: number): void {
@@ -82,7 +92,7 @@ export class Pace {
   private affordable(): number {
     if (this.times.length === 0) return this.allowed;
     const times = (this.share * RATIONED_MS) / (this.finestMs * this.allowed ** 2);
-    if (times < 1 || times > LEEWAY) this.allowed = Math.max(COARSEST, Math.min(1, this.allowed * Math.sqrt(times)));
+    if (times < 1 || times > LEEWAY) this.allowed = Math.max(this.coarsest, Math.min(1, this.allowed * Math.sqrt(times)));
     return this.allowed;
   }
 }

@@ -131,6 +131,7 @@ export class Scene {
   /** To be told before anything is drawn. What is shown is stretched until the next picture is there, but never empty. */
   resize(width: number, height: number, density: number): void {
     [this.width, this.height, this.density] = [width, height, Math.min(MAX_DENSITY, density)];
+    this.pace.resize(Math.max(width, height) * this.density);
     this.reframe();
     this.invalidate();
   }
