@@ -5,11 +5,11 @@ use crate::page;
 use crate::setup;
 use crate::shell::{command, run as run_command, say, www};
 
-pub const HELP: &str = "measure the page's sizes, Lighthouse's scores and a slowed-down run against their limits";
+pub const HELP: &str = "measure the page's sizes, Lighthouse's scores, a slowed-down run, waits, processor time and films against their limits";
 
 /// All parts by default; a limit that does not hold is a failure.
 pub fn run(options: &[String]) -> Result {
-    let parts = ["sizes", "audits", "run"];
+    let parts = ["sizes", "audits", "run", "waits", "places", "films"];
     if let Some(unknown) = options.iter().find(|option| !parts.contains(&option.as_str())) {
         return Err(format!("there is no part `{unknown}`; the parts are {}", parts.join(", ")).into());
     }

@@ -22,7 +22,7 @@ export class MatchPanels extends Part {
   @property({ attribute: false }) views: readonly View[] = [];
   @property({ attribute: false }) targets: readonly Target[] = [];
   @property({ attribute: false }) found: readonly Match[] = [];
-  private readonly pictures = new SmallPictures(() => this.shownPictures());
+  private readonly pictures = new SmallPictures(this, () => this.shownPictures());
 
   static override styles = [
     smallStyle,
@@ -73,11 +73,6 @@ export class MatchPanels extends Part {
 
   protected override updated(changed: PropertyValues<this>): void {
     if (changed.has("targets") || changed.has("views")) this.pictures.repaint();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.pictures.rest();
   }
 
   private shownPictures(): readonly SmallPicture[] {

@@ -1,14 +1,16 @@
-/** Small flat pictures of a wire that may change many times a second, painted a little a frame: none keeps the page from anything. */
+/** Small flat pictures of a wire that may change many times a second, painted a little at a time: none keeps the page from anything. */
 
 import { Sampler, samplesPerSpan, type Samples, type WireShape } from "#sculpture/scene/shape";
 import type { Ink, View } from "../engine/protocol";
+import { nextTurn } from "../state/common/next-turn";
 import { pageColours } from "./colours";
 import { paintInk, paintWire, PLAIN } from "./paint";
 
 export const SMALL_PX = 192;
-/** How long a frame paints; a slow device may need as long again for what it began. */
+/** How long is painted at a time; a slow device may need as long again for what it began. */
 const SLICE_MS = 4;
-/** Wires that follow each other closely are not all painted. */
+/** Wires that follow each other closely are not all painted: so that it takes this share of the time, and no faster than can be seen. */
+const SHARE = 0.04;
 const REST_MS = 100;
 /** Fewer than on the stage: these are small. */
 const SAMPLES = 1600;
@@ -24,33 +26,36 @@ export class SmallPictures {
   private readonly sampler = new Sampler();
   private wire: WireShape | null = null;
   private samples: Samples | null = null;
-  /** Whether the samples are of an older wire; whether the last step made them. */
+  /** Whether the samples are of an older wire. */
   private stale = false;
-  private sampled = false;
+  /** Whether there is anything new to paint, and whether somebody is at it. */
+  private due = false;
+  private painting = false;
+  /** Whether they are where people see them. */
+  private seen = false;
   private inks = new WeakMap<Ink, HTMLCanvasElement>();
-  /** What is being painted now, whose turn is next, and how many are left to paint. */
-  private painting: Generator<void, void> | null = null;
-  private turn = 0;
-  private left = 0;
-  private waiting: ReturnType<typeof setTimeout> | null = null;
   private readonly aside = Object.assign(document.createElement("canvas"), { width: SMALL_PX, height: SMALL_PX });
-  private frame = 0;
 
-  /** `pictures` is asked whenever it is the next one's turn. */
-  constructor(private readonly pictures: () => readonly SmallPicture[]) {}
+  /** They are in `host`; which they are is asked before they are painted. */
+  constructor(
+    host: Element,
+    private readonly pictures: () => readonly SmallPicture[],
+  ) {
+    new IntersectionObserver(([...entries]) => {
+      this.seen = entries.at(-1)!.isIntersecting;
+      void this.paint();
+    }).observe(host);
+  }
 
   setWire(wire: WireShape | null): void {
     this.wire = wire;
     this.stale = true;
-    this.waiting ??= setTimeout(() => {
-      this.waiting = null;
-      this.repaint();
-    }, REST_MS);
+    this.repaint();
   }
 
   repaint(): void {
-    this.left = Math.max(1, this.pictures().length);
-    this.frame ||= requestAnimationFrame(this.paintOn);
+    this.due = true;
+    void this.paint();
   }
 
   /** The colours changed. */
@@ -59,35 +64,33 @@ export class SmallPictures {
     this.repaint();
   }
 
-  rest(): void {
-    cancelAnimationFrame(this.frame);
-    this.frame = 0;
+  /** Round by round, as long as there is anything new that somebody sees. */
+  private async paint(): Promise<void> {
+    if (this.painting) return;
+    this.painting = true;
+    while (this.due && this.seen) {
+      // In a hidden tab there is no frame.
+      await new Promise(requestAnimationFrame);
+      this.due = false;
+      const tookMs = await inSlices(this.round());
+      await new Promise((rested) => setTimeout(rested, Math.max(REST_MS, tookMs * (1 / SHARE - 1))));
+    }
+    this.painting = false;
   }
 
-  private readonly paintOn = (): void => {
-    this.frame = 0;
-    const until = performance.now() + SLICE_MS;
-    do {
-      this.painting ??= this.next();
-      if (this.painting.next().done) this.painting = null;
-    } while ((this.painting || this.left > 0) && performance.now() < until);
-    if (this.painting || this.left > 0) this.frame = requestAnimationFrame(this.paintOn);
-  };
-
-  /** Paints one view, or samples the wire first if that is another: never twice in a row, or none would get painted. */
-  private *next(): Generator<void, void> {
-    if (this.stale && !this.sampled) {
+  private *round(): Generator<void, void> {
+    if (this.stale) {
       this.stale = false;
-      this.sampled = true;
       this.samples = this.wire && this.sampler.sample(this.wire, samplesPerSpan(this.wire, SAMPLES, 1));
-      return;
+      yield;
     }
-    this.sampled = false;
-    this.left--;
-    const pictures = this.pictures();
-    const picture = pictures[this.turn++ % Math.max(1, pictures.length)];
-    if (!picture) return;
-    const { canvas, view, under } = picture;
+    for (const picture of this.pictures()) {
+      yield* this.one(picture);
+      yield;
+    }
+  }
+
+  private *one({ canvas, view, under }: SmallPicture): Generator<void, void> {
     // Aside, and shown when it is whole.
     const aside = this.aside.getContext("2d", PLAIN)!;
     const { ink: dark, copper } = pageColours();
@@ -107,4 +110,16 @@ export class SmallPictures {
     context.clearRect(0, 0, SMALL_PX, SMALL_PX);
     context.drawImage(this.aside, 0, 0);
   }
+}
+
+/** Does it a little at a time; what it took in all, ms. */
+async function inSlices(work: Generator<void, void>): Promise<number> {
+  let tookMs = 0;
+  for (let done = false; !done; await nextTurn()) {
+    const from = performance.now();
+    do done = work.next().done === true;
+    while (!done && performance.now() - from < SLICE_MS);
+    tookMs += performance.now() - from;
+  }
+  return tookMs;
 }

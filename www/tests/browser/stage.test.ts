@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { describe, expect, it } from "vitest";
-import { visit } from "./browser";
+import { phase, runButton, visit, type VisitOptions } from "./browser";
 import { coloursIn, LEND } from "./colours";
 import { openSite } from "./site";
 
@@ -19,15 +19,15 @@ async function shown(page: Page): Promise<void> {
   await page.waitForTimeout(1500);
 }
 
-/** A page whose context can be taken away by the script that comes with it. */
-async function lender(where: "worker" | "page"): Promise<{ page: Page; tell(script: string): Promise<unknown> }> {
-  const { page } = await visit(browser, "about:blank");
+/** A page with a script where it draws, which can be told more. */
+async function prepared(where: "worker" | "page", script: string, options: VisitOptions = {}): Promise<{ page: Page; tell(script: string): Promise<unknown> }> {
+  const { page } = await visit(browser, "about:blank", options);
   if (where === "page") {
-    await page.addInitScript(`delete HTMLCanvasElement.prototype.transferControlToOffscreen; ${LEND}`);
+    await page.addInitScript(`delete HTMLCanvasElement.prototype.transferControlToOffscreen; ${script}`);
   } else {
     await page.route(/backstage-worker/, async (route) => {
       const response = await route.fetch();
-      await route.fulfill({ response, body: `${LEND}\n${await response.text()}` });
+      await route.fulfill({ response, body: `${script}\n${await response.text()}` });
     });
   }
   await page.goto(site.url);
@@ -73,7 +73,7 @@ it("marks places, and takes the marks away", async () => {
 
 describe.each(["worker", "page"] as const)("in a %s", (where) => {
   it("takes a picture with the wire in it, and survives the loss of its context", async () => {
-    const { page, tell } = await lender(where);
+    const { page, tell } = await prepared(where, LEND);
     await shown(page);
     const picture = await page.locator("wire-stage").evaluate(async (element) => {
       const blob = await (element as unknown as { picture(width: number, height: number): Promise<Blob> }).picture(800, 600);
@@ -103,5 +103,60 @@ it("stands still for people who asked for less motion", async () => {
     return (await seen(page)).equals(before);
   };
   await expect.poll(standsStill, { timeout: 20_000 }).toBe(true);
+  await page.context().close();
+});
+
+/** Counts pictures: each ends with a fence. */
+const COUNT = `{
+  globalThis.pictures = 0;
+  const { prototype } = WebGL2RenderingContext;
+  const fence = prototype.fenceSync;
+  prototype.fenceSync = function (...given) {
+    globalThis.pictures++;
+    return fence.apply(this, given);
+  };
+}`;
+
+/** Ways in which nobody sees the stage: out of it, and back. */
+const AWAY: readonly { readonly how: string; go(page: Page): Promise<unknown>; back(page: Page): Promise<unknown> }[] = [
+  { how: "it is scrolled away", go: (page) => page.evaluate(() => scrollTo(0, 1e5)), back: (page) => page.evaluate(() => scrollTo(0, 0)) },
+  { how: "the tab is hidden", go: (page) => hide(page, true), back: (page) => hide(page, false) },
+  { how: "something lies over it", go: (page) => cover(page, true), back: (page) => cover(page, false) },
+];
+
+/** As a browser tells it; to a headless one all tabs are in front. */
+function hide(page: Page, hidden: boolean): Promise<void> {
+  return page.evaluate((hidden) => {
+    Object.defineProperty(document, "hidden", { value: hidden, configurable: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+  }, hidden);
+}
+
+function cover(page: Page, covered: boolean): Promise<void> {
+  return page.locator("wire-stage").evaluate((element, covered) => void Object.assign(element, { covered }), covered);
+}
+
+it.each(AWAY)("draws no run while $how", async ({ go, back }) => {
+  // So low that the page scrolls.
+  const { page, tell } = await prepared("worker", COUNT, { viewport: { width: 400, height: 500 } });
+  await shown(page);
+  await runButton(page).click();
+  await phase(page, "running");
+  const pictures = async (): Promise<number> => Number(await tell("pictures"));
+  const step = (): Promise<string | null> => page.locator("run-panel .steps").textContent();
+  const drawsOn = async (): Promise<void> => {
+    const before = await pictures();
+    await expect.poll(pictures, { timeout: 30_000 }).toBeGreaterThan(before);
+  };
+  await drawsOn();
+  await go(page);
+  // What had been begun is drawn to its end.
+  await page.waitForTimeout(500);
+  const [before, stepBefore] = [await pictures(), await step()];
+  await page.waitForTimeout(1500);
+  await expect.poll(step).not.toBe(stepBefore);
+  expect(await pictures()).toBe(before);
+  await back(page);
+  await drawsOn();
   await page.context().close();
 });

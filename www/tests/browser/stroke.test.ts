@@ -41,8 +41,9 @@ async function quick(page: Page, iterations = "30"): Promise<void> {
   await openPart(page, "Run");
 }
 
-/** What each canvas shows, as a short number; 0 for an empty one. */
-function drawn(page: Page, selector: string): Promise<number[]> {
+/** What each canvas shows, as a short number; 0 for an empty one. What nobody sees is not painted. */
+async function drawn(page: Page, selector: string): Promise<number[]> {
+  await page.locator(selector).first().scrollIntoViewIfNeeded();
   return page.locator(selector).evaluateAll((canvases) =>
     (canvases as HTMLCanvasElement[]).map((canvas) => {
       const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);

@@ -2,6 +2,7 @@
 
 import { runAudits } from "./audits";
 import { runFilms } from "./films";
+import { runPlaces } from "./places";
 import { runThrottled } from "./throttled-run";
 import { runWaits } from "./waits";
 import { sizes } from "./sizes";
@@ -20,7 +21,7 @@ export interface Account {
   readonly notes: readonly string[];
 }
 
-const PARTS: Readonly<Record<string, () => Promise<Account>>> = { sizes, audits: runAudits, run: runThrottled, waits: runWaits, films: runFilms };
+const PARTS: Readonly<Record<string, () => Promise<Account>>> = { sizes, audits: runAudits, run: runThrottled, waits: runWaits, places: runPlaces, films: runFilms };
 
 /** Measures the parts asked for, all of them by default; whether everything is within its limit. */
 export async function measure(asked: readonly string[]): Promise<boolean> {

@@ -3,17 +3,19 @@
 import { existsSync, readFileSync } from "node:fs";
 import { availableParallelism, loadavg } from "node:os";
 import { join } from "node:path";
-import type { Page } from "playwright-core";
 import { DIST, DRAWINGS, launch, serveDist, visit } from "../browser/browser";
 import { throttle, watchLongTasks, type LongTask } from "../browser/throttle";
 import type { Account, Row } from "./budget";
+import { click, inPart, IN_APP, runToItsEnd, until } from "./quietly";
 
 const SLOWER = 4;
 const RUN_S = 15;
+const SETTLED_MS = 1500;
 const TASK_MS = 50;
 
 /** Other work on the machine only ever makes things longer: the best of so many counts. */
 const ROUNDS = 3;
+const PREVIEWED = `!!${inPart("remedy-list", "section:not(.busy) .sum:not(.quiet)")}`;
 /**
  * Pictures are put together in the process of the graphics card, as on every device that has one; here the processor
  * plays its part. By itself, Chromium without a card puts them together on the page's own thread.
@@ -74,7 +76,7 @@ async function fastRun(slower: number, args: readonly string[]): Promise<Measure
     const longTasks = await watchLongTasks(page);
     await throttle(page, slower);
     await page.goto(site.url);
-    await previewed(page);
+    await until(page, PREVIEWED);
     await page.waitForTimeout(SETTLED_MS);
     const load = await longTasks();
     // What it costs to fill in the drawings counts as part of the run.
@@ -84,37 +86,15 @@ async function fastRun(slower: number, args: readonly string[]): Promise<Measure
       await until(page, `!${inPart("drawing-pad", "section.busy")}`);
     }
     await page.waitForTimeout(SETTLED_MS);
-    await previewed(page);
+    await until(page, PREVIEWED);
     await click(page, inPart("run-choices", "input[name=preset][value=fast]"));
-    const start = performance.now();
-    await click(page, inPart("run-panel", ".primary"));
-    await until(page, `!${inPart("run-panel", "[data-phase=idle]")}`);
-    await until(page, `!!${inPart("run-panel", "[data-phase=idle]")}`);
-    const seconds = (performance.now() - start) / 1000;
+    const seconds = await runToItsEnd(page);
     await page.waitForTimeout(SETTLED_MS);
     return { seconds, load, run: (await longTasks()).slice(load.length) };
   } finally {
     await browser.close();
     site.server.close();
   }
-}
-
-// Playwright's own waiting and clicking works in the page, where it would be measured. This asks seldom, and little.
-
-const POLL_MS = 200;
-const SETTLED_MS = 1500;
-const IN_APP = `document.querySelector("wire-app")?.shadowRoot`;
-const inPart = (part: string, selector: string): string => `${IN_APP}?.querySelector("${part}")?.shadowRoot?.querySelector("${selector}")`;
-
-async function until(page: Page, condition: string): Promise<void> {
-  while (!(await page.evaluate(condition))) await page.waitForTimeout(POLL_MS);
-}
-
-const previewed = (page: Page): Promise<void> => until(page, `!!${inPart("remedy-list", "section:not(.busy) .sum:not(.quiet)")}`);
-
-async function click(page: Page, element: string): Promise<void> {
-  const [x, y] = (await page.evaluate(`(({ x, y, width, height }) => [x + width / 2, y + height / 2])(${element}.getBoundingClientRect())`)) as [number, number];
-  await page.mouse.click(x, y);
 }
 
 function taskRow(when: string, tasks: readonly LongTask[], plain: readonly LongTask[], unslowed: readonly LongTask[]): Row {

@@ -20,7 +20,7 @@ export interface RunHooks {
 }
 
 /** Numbers that change more often than this cannot be read, and cost a slow page its breath. */
-const NUMBERS_MS = 100;
+const NUMBERS_MS = 200;
 
 export class Runner {
   private newest: WireShape | null = null;
@@ -148,8 +148,8 @@ export class Runner {
         break;
       case "frame":
         this.hearFrame(news.frame, track);
-        // After the browser has drawn what came of it (or at once in a hidden tab, where it draws nothing).
-        afterDrawing(() => this.engine.control("seen"));
+        // After what came of it (or at once in a hidden tab, where timers are slowed down).
+        afterTurn(() => this.engine.control("seen"));
         break;
     }
   }
@@ -178,18 +178,17 @@ export class Runner {
   }
 }
 
-/** Where drawing takes long, as long again is left for everything else. */
-function afterDrawing(action: () => void): void {
+/** Where that takes long, since the page has much to do, as long again is left for everything else. */
+function afterTurn(action: () => void): void {
   if (document.hidden) {
     action();
     return;
   }
   const askedMs = performance.now();
-  requestAnimationFrame(() =>
-    setTimeout(() => {
-      const tookMs = performance.now() - askedMs;
-      if (tookMs > 50) setTimeout(action, Math.min(1000, tookMs));
-      else action();
-    }),
-  );
+  // Not with the next picture of the page: to ask for that makes the browser draw one.
+  setTimeout(() => {
+    const tookMs = performance.now() - askedMs;
+    if (tookMs > 50) setTimeout(action, Math.min(1000, tookMs));
+    else action();
+  });
 }

@@ -91,6 +91,8 @@ export class WireApp extends LitElement {
           .room=${look.room}
           .body=${parts?.body?.(now) ?? null}
           .through=${this.through}
+          .busy=${!idle && now.phase !== "paused"}
+          .covered=${this.editing !== null}
           @look-change=${this.changeLook}
           @see-through=${this.seeThrough}
         ></wire-stage>
@@ -187,10 +189,10 @@ export class WireApp extends LitElement {
     void this.studio.begin(location);
   }
 
-  /** Once a frame: a run changes its state more often than anybody sees. */
+  /** Once a frame, for a run changes its state more often than anybody sees; and after it, for the frame has enough to do. */
   protected override async scheduleUpdate(): Promise<void> {
-    if (!this.hasUpdated) await nextTurn();
-    else if (!document.hidden) await new Promise(requestAnimationFrame);
+    if (this.hasUpdated && !document.hidden) await new Promise(requestAnimationFrame);
+    await nextTurn();
     super.scheduleUpdate();
   }
 

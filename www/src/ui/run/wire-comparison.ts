@@ -19,7 +19,7 @@ const TURNED = viewFrom({ azimuth: 35, elevation: 15 }, "turned");
 export class WireComparison extends Part {
   @property({ attribute: false }) studio!: Studio;
   @property({ attribute: false }) state!: StudioState;
-  private readonly pictures = [new SmallPictures(() => this.shown(0)), new SmallPictures(() => this.shown(1))] as const;
+  private readonly pictures = [new SmallPictures(this, () => this.shown(0)), new SmallPictures(this, () => this.shown(1))] as const;
   /** What they are painted of. */
   private painted: Made | null = null;
 
@@ -82,11 +82,6 @@ export class WireComparison extends Part {
     this.painted = loose;
     this.pictures[0].setWire(made.finished.wire);
     this.pictures[1].setWire(loose.finished.wire);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    for (const pictures of this.pictures) pictures.rest();
   }
 
   /** The pictures of a column: row by row, the two stand side by side. */

@@ -156,7 +156,6 @@ export const barStyle = css`
     background: var(--copper);
     transform: scaleX(var(--share, 0));
     transform-origin: left;
-    transition: transform 150ms linear;
   }
   :host(:dir(rtl)) .bar i {
     transform-origin: right;

@@ -7,6 +7,9 @@ import type { Heading } from "../../view/heading";
 import type { StageWords } from "../shared/page-task";
 import { wireStageStyle } from "./wire-stage-style";
 
+/** Of the processor's time, for pictures while a run needs it. */
+const RUN_SHARE = 0.1;
+
 function from({ azimuth, elevation }: Heading): Vantage {
   return { azimuthRad: (azimuth * Math.PI) / 180, elevationRad: (elevation * Math.PI) / 180 };
 }
@@ -20,6 +23,8 @@ export class WireStage extends WireSculpture {
   static override startWorker = startWorker;
   private stageWords: StageWords | null = null;
   private seesThrough = false;
+  private share = 1;
+  private isCovered = false;
 
   constructor() {
     super();
@@ -29,6 +34,7 @@ export class WireStage extends WireSculpture {
 
   /** What there is to see of the wire. */
   set words(words: StageWords) {
+    if (words === this.stageWords) return;
     this.stageWords = words;
     const views = Object.keys(words.views);
     this.views = views.join(" ");
@@ -51,6 +57,27 @@ export class WireStage extends WireSculpture {
   override set through(through: boolean) {
     this.seesThrough = through;
     super.through = this.stageWords?.farSide ? through : null;
+  }
+
+  /** Whether a run needs the processor, if that draws. */
+  set busy(busy: boolean) {
+    this.share = busy ? RUN_SHARE : 1;
+    this.stage?.ration(this.share);
+  }
+
+  /** Whether something else lies over all of it. */
+  set covered(covered: boolean) {
+    this.isCovered = covered;
+    this.rouse();
+  }
+
+  override wake(): void {
+    super.wake();
+    this.stage?.ration(this.share);
+  }
+
+  protected override get isSeen(): boolean {
+    return super.isSeen && !this.isCovered;
   }
 
   setWire(wire: WireShape | null): void {

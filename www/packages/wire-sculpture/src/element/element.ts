@@ -116,10 +116,11 @@ export class WireSculpture extends Base implements Member {
   private drawing: SVGSVGElement | null = null;
   private changed = new Set<string>();
   private updating = false;
-  private observer: IntersectionObserver | null = null;
+  private observers: readonly IntersectionObserver[] = [];
   private ending: AbortController | null = null;
   private reading: AbortController | null = null;
   private near = false;
+  private inSight = false;
   private dismissed = false;
   private isDrawn = false;
   private toAnnounce = false;
@@ -266,18 +267,23 @@ export class WireSculpture extends Base implements Member {
     for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"]) {
       matchMedia(query).addEventListener("change", () => this.recolour(), { signal });
     }
-    this.observer = new IntersectionObserver(([...entries]) => this.approach(entries.at(-1)!.isIntersecting), { rootMargin: NEAR });
-    this.observer.observe(this);
+    document.addEventListener("visibilitychange", () => this.rouse(), { signal });
+    const observe = (rootMargin: string, tell: (on: boolean) => void): IntersectionObserver => {
+      const observer = new IntersectionObserver(([...entries]) => tell(entries.at(-1)!.isIntersecting), { rootMargin });
+      observer.observe(this);
+      return observer;
+    };
+    this.observers = [observe(NEAR, (near) => this.approach(near)), observe("0px", (inSight) => this.sight(inSight))];
     this.update();
   }
 
   disconnectedCallback(): void {
     this.ending?.abort();
-    this.observer?.disconnect();
+    for (const observer of this.observers) observer.disconnect();
     this.reading?.abort();
     this.replayer?.pause();
     clearTimeout(this.prompting);
-    this.near = false;
+    this.near = this.inSight = false;
     this.stop();
     leave(this);
   }
@@ -327,7 +333,7 @@ export class WireSculpture extends Base implements Member {
     if (this.wanted) stage.flyTo(this.wanted, 0);
     else if (this.pose) stage.place(this.pose);
     this.move();
-    stage.pause(!this.near && this.afterDrawn.length === 0);
+    this.rouse();
   }
 
   async rest(): Promise<void> {
@@ -354,6 +360,17 @@ export class WireSculpture extends Base implements Member {
   protected move(): void {
     const { on, round } = this.moves;
     this.stage?.sway(on, round);
+  }
+
+  /** Whether somebody can see it now. */
+  protected get isSeen(): boolean {
+    return this.inSight && !document.hidden;
+  }
+
+  /** To be called when that may have changed: what nobody sees is not drawn, unless it is for the first time, or for a picture. */
+  protected rouse(): void {
+    const first = this.near && !this.isDrawn;
+    this.stage?.pause(!(this.isSeen || first || this.afterDrawn.length > 0));
   }
 
   protected tell(name: string, detail?: unknown): void {
@@ -396,9 +413,14 @@ export class WireSculpture extends Base implements Member {
 
   private approach(near: boolean): void {
     this.near = near;
-    this.stage?.pause(!near);
+    this.rouse();
     this.consider();
     if (!near && !this.stage) leave(this);
+  }
+
+  private sight(inSight: boolean): void {
+    this.inSight = inSight;
+    this.rouse();
   }
 
   /** Reads and shows what there is, if the time has come. */
@@ -542,6 +564,7 @@ export class WireSculpture extends Base implements Member {
     this.still.hidden = true;
     this.posterSlot.classList.add("away");
     for (const tell of this.afterDrawn.splice(0)) tell();
+    this.rouse();
     if (this.toAnnounce) this.announce();
     this.replayer?.begin();
     settle();

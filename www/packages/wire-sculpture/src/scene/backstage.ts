@@ -4,7 +4,7 @@ import type { Look } from "./looks";
 import type { Scene, SceneEvents } from "./scene";
 
 /** What the scene can be told without waiting for an answer. */
-type Act = "setWire" | "pause" | "place" | "mark" | "setBody" | "seeThrough" | "setLook" | "resize" | "keepStill" | "turn" | "zoom" | "pan" | "step" | "flyTo" | "tour" | "sway";
+type Act = "setWire" | "pause" | "ration" | "place" | "mark" | "setBody" | "seeThrough" | "setLook" | "resize" | "keepStill" | "turn" | "zoom" | "pan" | "step" | "flyTo" | "tour" | "sway";
 type ActOrder = { [K in Act]: { readonly act: K; readonly given: Parameters<Scene[K]> } }[Act];
 
 /** To the worker: the first one opens the scene. */

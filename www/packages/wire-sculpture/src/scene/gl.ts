@@ -1,5 +1,12 @@
 /** Thin WebGL2 helpers. */
 
+/** Whether the processor plays the graphics card's part, as far as the browser tells. */
+export function drawnByProcessor(gl: WebGL2RenderingContext): boolean {
+  const told = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER) as unknown;
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(name));
+}
+
 export class Program {
   readonly handle: WebGLProgram;
   private readonly locations = new Map<string, WebGLUniformLocation | null>();

@@ -5,7 +5,7 @@ import { linear, NumberTexture, Program, shown, SoftTexture } from "./gl";
 import type { Look } from "./looks";
 import { orthographic, type Mat4, type Vec3 } from "./matrix";
 import { axesOf, DIRECTIONS, type Camera } from "./orbit";
-import { RINGS_A_ROW, SHADOW_FRAGMENT, SHADOW_SIZE, SOFTEN_FRAGMENT, SOFTEN_VERTEX, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
+import { HASTY_SHADOW_SIZE, RINGS_A_ROW, SHADOW_FRAGMENT, SHADOW_SIZE, SOFTEN_FRAGMENT, SOFTEN_VERTEX, TUBE_FRAGMENT, TUBE_VERTEX, verticesAPiece, WALL_FRAGMENT, WALL_VERTEX } from "./shaders";
 import { RING_FLOATS, type Rings } from "./tube";
 
 /** Sides of the tube as it is seen, by how round it has to look, and as it casts a shadow. */
@@ -28,6 +28,12 @@ const WALLS: readonly { axes: readonly [Vec3, Vec3, Vec3]; brightness: number }[
   return { axes: [right, up, back], brightness };
 });
 
+/** Pictures of shadows: what throws one after the other, and one a wall. */
+interface Shadows {
+  readonly caster: SoftTexture;
+  readonly onWalls: readonly SoftTexture[];
+}
+
 export class Painter {
   /** Behind everything: red, green, blue and their share, 0 to 1, by which they are multiplied already. None by itself. */
   ground: readonly [number, number, number, number] = [0, 0, 0, 0];
@@ -38,9 +44,11 @@ export class Painter {
   private readonly rings: NumberTexture;
   /** What the wire covers, once there was any. */
   body: Body | null = null;
-  /** What throws one shadow after the other, and the three of them. */
-  private readonly caster: SoftTexture;
-  private readonly shadows: readonly SoftTexture[];
+  private readonly shadows: Shadows;
+  /** Once they were wanted. */
+  private hastyShadows: Shadows | null = null;
+  /** The newest on each wall. */
+  private readonly onWalls: SoftTexture[];
   private ringCount = 0;
   /** Of the rings, weighted by themselves: what most of what is seen has, world units. */
   private radius = 0;
@@ -51,8 +59,12 @@ export class Painter {
     this.soften = new Program(gl, SOFTEN_VERTEX, SOFTEN_FRAGMENT);
     this.wall = new Program(gl, WALL_VERTEX, WALL_FRAGMENT);
     this.rings = new NumberTexture(gl, 3 * RINGS_A_ROW);
-    this.caster = new SoftTexture(gl, SHADOW_SIZE);
-    this.shadows = WALLS.map(() => new SoftTexture(gl, SHADOW_SIZE));
+    this.shadows = this.shadowsOf(SHADOW_SIZE);
+    this.onWalls = [...this.shadows.onWalls];
+  }
+
+  private shadowsOf(size: number): Shadows {
+    return { caster: new SoftTexture(this.gl, size), onWalls: WALLS.map(() => new SoftTexture(this.gl, size)) };
   }
 
   /** The wire to draw from now on. What follows the rings in `data` up to a whole row is sent and never drawn. */
@@ -68,26 +80,32 @@ export class Painter {
     if (rows > 0) this.rings.write(data.subarray(0, rows * RINGS_A_ROW * RING_FLOATS), rows);
   }
 
-  castShadows(): void {
-    const { gl, shadowTube, soften, caster } = this;
+  /** On all walls, or `hasty` and on `only` one of the three. */
+  castShadows(hasty = false, only: number | null = null): void {
+    const { caster, onWalls } = hasty ? (this.hastyShadows ??= this.shadowsOf(HASTY_SHADOW_SIZE)) : this.shadows;
     WALLS.forEach(({ axes }, i) => {
-      caster.draw(() => {
-        shadowTube.use();
-        gl.uniform3fv(shadowTube.at("inward"), axes[2]);
-        gl.uniform1f(shadowTube.at("away"), WALL_AWAY);
-        gl.enable(gl.BLEND);
-        gl.blendEquation(gl.MAX);
-        this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], (2 * SHADOW_EXTENT) / SHADOW_SIZE, false, SHADOW_SIDES);
-        gl.blendEquation(gl.FUNC_ADD);
-        gl.disable(gl.BLEND);
-      });
-      this.shadows[i]!.draw(() => {
-        soften.use();
-        gl.activeTexture(gl.TEXTURE0);
-        gl.bindTexture(gl.TEXTURE_2D, caster.texture);
-        gl.uniform1i(soften.at("caster"), 0);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-      });
+      if (only === null || only === i) this.castShadow(axes, caster, (this.onWalls[i] = onWalls[i]!));
+    });
+  }
+
+  private castShadow(axes: readonly [Vec3, Vec3, Vec3], caster: SoftTexture, shadow: SoftTexture): void {
+    const { gl, shadowTube, soften } = this;
+    caster.draw(() => {
+      shadowTube.use();
+      gl.uniform3fv(shadowTube.at("inward"), axes[2]);
+      gl.uniform1f(shadowTube.at("away"), WALL_AWAY);
+      gl.enable(gl.BLEND);
+      gl.blendEquation(gl.MAX);
+      this.drawTube(shadowTube, orthographic(...axes, SHADOW_EXTENT), [0, 0, 0], (2 * SHADOW_EXTENT) / caster.size, false, SHADOW_SIDES);
+      gl.blendEquation(gl.FUNC_ADD);
+      gl.disable(gl.BLEND);
+    });
+    shadow.draw(() => {
+      soften.use();
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, caster.texture);
+      gl.uniform1i(soften.at("caster"), 0);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
     });
   }
 
@@ -141,7 +159,7 @@ export class Painter {
       gl.uniform1f(wall.at("shown"), visible * visible * (3 - 2 * visible));
       gl.uniform1f(wall.at("brightness"), brightness);
       gl.uniformMatrix3fv(wall.at("axes"), false, axes.flat());
-      gl.bindTexture(gl.TEXTURE_2D, this.shadows[i]!.texture);
+      gl.bindTexture(gl.TEXTURE_2D, this.onWalls[i]!.texture);
       gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     });
     gl.disable(gl.BLEND);

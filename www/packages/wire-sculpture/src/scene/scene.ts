@@ -5,10 +5,12 @@
 
 import type { BodyShape } from "./body";
 import { Easel } from "./easel";
+import { drawnByProcessor } from "./gl";
 import { tonesOf, type Look } from "./looks";
 import type { Marks } from "./marks";
 import type { Vec3 } from "./matrix";
 import { axesOf, cameraOf, directionOf, framed, Orbit, type Vantage, type Pose, type ViewName } from "./orbit";
+import { Pace } from "./pace";
 import { Painter, WALL_AWAY } from "./painter";
 import { Sampler, samplesPerSpan, type Samples, type WireShape } from "./shape";
 import { buildRings } from "./tube";
@@ -23,19 +25,12 @@ const STEP_MS = 220;
 /** How long a tour takes to each of its places, and how long the picture stays where it has a name. */
 const TOUR_FLIGHT_MS = 1500;
 const TOUR_STAY_MS = 1000;
-/** Pictures that take longer than this to finish are drawn coarser, down to this share of the pixels a side. */
-const LATE_MS = 40;
-const COARSEST = 0.4;
-/** Longer than this, and they are also drawn less often, to leave the machine to others; longer still, and the page slept. */
-const VERY_LATE_MS = 80;
-const LONGEST_BREATH_MS = 150;
-/** On such machines one in so many wires casts shadows. */
-const HASTY_SHADOWS = 3;
-const ASLEEP_MS = 3000;
+/** Where time is short, each wire casts a shadow on one of the walls, in turns. */
+const WALLS = 3;
 /** The idle camera moves so slowly that half of the frames do. */
 const SWAY_FRAME_MS = 30;
-/** How long everything stands still before the picture is drawn at its finest again. */
-const REST_MS = 250;
+/** How long after somebody moved the camera they may be about to do so again. */
+const HELD_MS = 500;
 /** Radians the idle camera sways either way, seconds it takes, and seconds until it does so fully. */
 const SWAY_RAD = 0.26;
 const SWAY_S = 26;
@@ -95,8 +90,10 @@ export class Scene {
   private paintedMs = 0;
   /** A while in which the machine is left to others. */
   private breath: ReturnType<typeof setTimeout> | undefined;
-  /** Share of the canvas' pixels a side that are drawn: less than 1 only while a slow machine has to keep up. */
-  private fineness = 1;
+  private readonly pace: Pace;
+  private heldMs = -Infinity;
+  /** Whether the next picture is to be at its finest, since nothing has changed for a while. */
+  private standsStill = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private swaying = false;
   /** Round and round, and not to and fro. */
@@ -123,6 +120,7 @@ export class Scene {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: true, premultipliedAlpha: true }) as WebGL2RenderingContext | null;
     if (!gl) throw new StageUnavailable("this browser cannot draw in 3D here (WebGL 2 is missing or switched off)");
     this.gl = gl;
+    this.pace = new Pace(drawnByProcessor(gl));
     this.painter = new Painter(gl);
     this.easel = new Easel(gl);
     this.orbit = new Orbit(this.poseOf("room", this.aspect));
@@ -133,14 +131,31 @@ export class Scene {
   /** To be told before anything is drawn. What is shown is stretched until the next picture is there, but never empty. */
   resize(width: number, height: number, density: number): void {
     [this.width, this.height, this.density] = [width, height, Math.min(MAX_DENSITY, density)];
+    this.pace.resize(Math.max(width, height) * this.density);
     this.reframe();
     this.invalidate();
   }
 
   /** Nobody sees it: nothing is drawn until somebody does. */
   pause(paused: boolean): void {
+    if (paused === this.paused) return;
     this.paused = paused;
-    if (!paused) this.ask();
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    if (this.breath === undefined) this.ask();
+  }
+
+  /**
+   * Somebody else needs the processor: where that draws, this share of the time may go into pictures, above 0 to 1, and
+   * the camera does not move by itself. Whoever holds it is answered at once all the same.
+   */
+  ration(share: number): void {
+    const before = this.pace.rationed;
+    this.pace.ration(share);
+    if (this.pace.rationed || !before) return;
+    this.beginSway();
+    if (this.fineness < 1) this.refine();
+    if (this.stale || this.swaying) this.hurry();
   }
 
   /** Whether nothing may move by itself. */
@@ -246,9 +261,14 @@ export class Scene {
     }
     if (on === this.swaying || (on && this.still)) return;
     this.swaying = on;
+    this.beginSway();
+    this.invalidate();
+  }
+
+  /** From where it is. */
+  private beginSway(): void {
     this.swayStartMs = performance.now();
     this.swayFrom = this.orbit.destination.azimuthRad;
-    this.invalidate();
   }
 
   /** What the stage shows as a picture of that size, on the colour of its walls or on nothing. */
@@ -259,7 +279,7 @@ export class Scene {
     context.fillStyle = this.look.wall;
     if (!transparent) context.fillRect(0, 0, width, height);
     if (this.wireStale || this.fineness < 1) {
-      this.fineness = 1;
+      this.pace.begin(true, false);
       this.loadWire();
     }
     // Shown and copied in the same task, or the browser would have cleared it; and nobody sees it at the wrong size.
@@ -357,7 +377,8 @@ export class Scene {
     action();
     this.vantage = null;
     this.setView(null);
-    this.invalidate();
+    this.heldMs = performance.now();
+    this.hurry();
   }
 
   private readonly nextOfTour = (): void => {
@@ -376,7 +397,24 @@ export class Scene {
 
   private invalidate(): void {
     this.stale = true;
+    this.standsStill = false;
     if (this.breath === undefined) this.ask();
+  }
+
+  /** Others have had their time. */
+  private hurry(): void {
+    clearTimeout(this.breath);
+    this.breath = undefined;
+    this.invalidate();
+  }
+
+  private get fineness(): number {
+    return this.pace.fineness;
+  }
+
+  /** Whether the camera sways now, and not only while nobody needs the time for it. */
+  private get sways(): boolean {
+    return this.swaying && !this.pace.rationed;
   }
 
   private readonly ask = (): void => {
@@ -397,34 +435,36 @@ export class Scene {
         this.unseen = false;
         this.events.drawn();
       }
-      // A picture that nothing follows may take its time.
-      const lateMs = performance.now() - this.paintedMs;
-      if (this.stale) this.adapt(lateMs);
-      if (this.stale && lateMs > VERY_LATE_MS) {
-        this.breath = setTimeout(this.ask, Math.min(LONGEST_BREATH_MS, lateMs));
+      const breathMs = this.pace.end(performance.now() - this.paintedMs, this.stale, this.holding);
+      if (this.pace.overtaxed && !this.pace.rationed) this.swaying = false;
+      this.refineSoon();
+      if (breathMs > 0) {
+        this.breath = setTimeout(this.ask, breathMs);
         return;
       }
     }
     if (!this.stale) return;
     const moving = this.wireStale || this.orbit.flying;
-    if (this.swaying && !moving && nowMs - this.lastFrameMs < SWAY_FRAME_MS) {
+    if (this.sways && !moving && nowMs - this.lastFrameMs < SWAY_FRAME_MS) {
       this.invalidate();
       return;
     }
     this.lastFrameMs = nowMs;
     const flew = this.orbit.flying;
     const flying = this.orbit.advance(nowMs);
-    if (this.swaying && !flying) {
+    if (this.sways && !flying) {
       const seconds = Math.max(0, nowMs - this.swayStartMs) / 1000;
       const onset = Math.min(1, seconds / SWAY_ONSET_S);
       const share = (seconds / SWAY_S) * 2 * Math.PI;
       this.orbit.pose.azimuthRad = this.swayFrom + onset * (this.round ? share : SWAY_RAD * Math.sin(share));
     }
+    this.pace.begin(this.standsStill, this.holding);
+    this.standsStill = false;
     if (this.wireStale) this.loadWire();
     this.paintCanvas();
     this.tellCamera();
     if (flew && !flying && this.touring) this.stay();
-    this.stale = flying || this.swaying;
+    this.stale = flying || this.sways;
     this.ask();
   };
 
@@ -435,24 +475,25 @@ export class Scene {
     this.events.camera({ ...this.orbit.pose });
   }
 
-  /** Coarser when pictures are late; fine again after a rest. */
-  private adapt(lateMs: number): void {
-    if (lateMs < LATE_MS || lateMs > ASLEEP_MS) return;
-    // Where even that does not help, at least nothing moves by itself.
-    if (this.fineness === COARSEST) this.swaying = false;
-    this.fineness = Math.max(COARSEST, this.fineness * 0.8);
+  /** Whether somebody moves the camera, or has just sent it somewhere. */
+  private get holding(): boolean {
+    return this.orbit.flying || performance.now() - this.heldMs < HELD_MS;
+  }
+
+  /** Fine again after a rest. */
+  private refineSoon(): void {
     clearTimeout(this.rest);
-    this.rest = setTimeout(this.refine, REST_MS);
+    if (this.fineness < 1) this.rest = setTimeout(this.refine, this.pace.refineMs);
   }
 
   private readonly refine = (): void => {
     if (this.stale || this.easel.busy) {
-      this.rest = setTimeout(this.refine, REST_MS);
+      this.refineSoon();
       return;
     }
-    this.fineness = 1;
     this.wireStale = true;
     this.invalidate();
+    this.standsStill = true;
   };
 
   private loadWire(): void {
@@ -469,8 +510,13 @@ export class Scene {
       this.painter.load({ count: 0, data: new Float32Array(0) });
     }
     // Where time is short the shadows follow more slowly; the fine picture at rest has them right.
-    const hasty = this.fineness < 1 && this.loads++ % HASTY_SHADOWS > 0;
-    if (this.look.room && !hasty) this.painter.castShadows();
+    if (this.look.room) this.castShadows();
+  }
+
+  private castShadows(): void {
+    const first = this.loads++ === 0;
+    if (this.fineness < 1) this.painter.castShadows(true, first ? null : this.loads % WALLS);
+    else this.painter.castShadows();
   }
 
   private perSpan(wire: WireShape): number {

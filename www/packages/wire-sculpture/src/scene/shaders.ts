@@ -3,8 +3,9 @@
 /** Rings in one row of their texture; three texels each. */
 export const RINGS_A_ROW = 256;
 
-/** Side of the pictures of shadows. */
+/** Side of the pictures of shadows, and where time is short. */
 export const SHADOW_SIZE = 512;
+export const HASTY_SHADOW_SIZE = 256;
 
 /** Vertices that one piece between two rings takes in the strip, with one doubled at either end to part the pieces. */
 export const verticesAPiece = (sides: number): number => 2 * sides + 4;
@@ -73,7 +74,7 @@ void main() {
   if (around.r > 0.0) {
     float near = around.g / around.r;
     float radius = mix(0.0105, 0.0022, smoothstep(0.15, 0.95, near));
-    float level = max(0.4, log2(radius * ${SHADOW_SIZE}.0) - 1.2);
+    float level = max(0.4, log2(radius * float(textureSize(caster, 0).x)) - 1.2);
     for (int i = 0; i < 16; i++) {
       float angle = float(i) * 2.39996323;
       dark += textureLod(caster, uv + vec2(cos(angle), sin(angle)) * sqrt((float(i) + 0.5) / 16.0) * radius, level).r;

@@ -107,6 +107,11 @@ export class Stage {
     this.backstage.act("pause", paused);
   }
 
+  /** Somebody else needs the processor: where that draws, this share of the time may go into pictures; above 0 to 1, no limit. */
+  ration(share: number): void {
+    this.backstage.act("ration", share);
+  }
+
   /** What the stage shows as a picture of that size, on the colour of its walls or on nothing. */
   picture(...of: PictureOrder): Promise<Blob> {
     return this.backstage.picture(...of);

@@ -6,6 +6,7 @@ import type { Ink } from "../../../engine/protocol";
 import { PAPER_PX } from "../paper";
 import { PLAIN } from "../../../view/paint";
 import { pageColours } from "../../../view/colours";
+import { frameTurn } from "../../../view/frame-turn";
 import { Part } from "../../../view/part";
 import { controls } from "../../../ui/shared/shared";
 import { inkCanvasStyle } from "./ink-canvas-style";
@@ -51,6 +52,11 @@ export class InkCanvas extends Part {
   @query(".cursor") private cursor!: HTMLElement | null;
   private points: number[] = [];
   private pointer: number | null = null;
+  /** Whether the ink has changed since it was painted, and the painting that is to come. */
+  private inked = false;
+  private painting: Promise<void> | null = null;
+  /** Whether there is anything on the sheet that strokes under way are drawn on. */
+  private marked = false;
   private at: readonly [number, number] = [PAPER_PX / 2, PAPER_PX / 2];
   private readonly forced = matchMedia("(forced-colors: active)");
 
@@ -93,15 +99,20 @@ export class InkCanvas extends Part {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
+    this.inked ||= changed.has("ink");
     if (changed.has("ink") || changed.has("missing")) this.repaint();
-    // What was drawn by hand is in the ink now, unless the hand is drawing on.
-    if (changed.has("ink") && this.pointer === null && !this.penDown) this.clearLive();
     if (changed.has("pen") && !this.pen) this.cancel();
   }
 
   private readonly repaint = (): void => {
-    const { ink, amber } = pageColours();
-    paintSheet(this.canvas, this.ink, this.missing, ink, amber);
+    this.painting ??= frameTurn().then(() => {
+      this.painting = null;
+      const { ink, amber } = pageColours();
+      paintSheet(this.canvas, this.ink, this.missing, ink, amber);
+      // What was drawn by hand is in the ink now, unless the hand is drawing on.
+      if (this.inked && this.pointer === null && !this.penDown) this.clearLive();
+      this.inked = false;
+    });
   };
 
   /** A pen that comes near is about to draw; a finger may want to scroll. */
@@ -168,6 +179,7 @@ export class InkCanvas extends Part {
     if (!pen || (count > 0 && Math.hypot(x - points[count - 2]!, y - points[count - 1]!) < LEAST_STEP_PX)) return;
     points.push(x, y);
     const context = this.live.getContext("2d")!;
+    this.marked = true;
     if (count === 0) {
       const style = getComputedStyle(this);
       context.strokeStyle = pen.erase ? style.getPropertyValue("--raised") : style.color;
@@ -196,7 +208,8 @@ export class InkCanvas extends Part {
   }
 
   private clearLive(): void {
-    this.live.getContext("2d")!.clearRect(0, 0, PAPER_PX, PAPER_PX);
+    if (this.marked) this.live.getContext("2d")!.clearRect(0, 0, PAPER_PX, PAPER_PX);
+    this.marked = false;
   }
 }
 

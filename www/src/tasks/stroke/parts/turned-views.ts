@@ -20,7 +20,7 @@ const VIEWS = TURNED.map((turned) => viewFrom(turned, turned.words));
 /** The wire from where no picture was given, as it forms. Fires `look-from`. */
 @customElement("turned-views")
 export class TurnedViews extends Part {
-  private readonly pictures = new SmallPictures(() => this.shown());
+  private readonly pictures = new SmallPictures(this, () => this.shown());
 
   static override styles = [
     controls,
@@ -50,11 +50,6 @@ export class TurnedViews extends Part {
 
   protected override firstUpdated(): void {
     this.pictures.repaint();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.pictures.rest();
   }
 
   private shown(): readonly SmallPicture[] {
