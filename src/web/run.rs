@@ -1,5 +1,6 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
+use crate::crew::{Ask, Asked};
 use crate::guidance::{
     Asks, Contexts, DenoiserObject, DiffusionOptions, EncoderObject, GuidanceFunction, Networks, Vectors, WordsOptions,
     by_diffusion, by_words,
@@ -179,6 +180,12 @@ impl Run {
             events.extend(self.0.step_async(at_once).await?);
         }
         Ok(json(&events))
+    }
+
+    /// Has a [`Mate`](crate::crew::Mate) of another worker compute some of the views from the next step on: `ask` brings it a message
+    /// and promises its answer. Once that fails the run goes on without; neither changes a bit of the wire.
+    pub fn hire(&mut self, ask: Ask) {
+        self.0.hire(Box::new(Asked::new(ask)));
     }
 
     /// `weight` (from 0) times the loss of `guidance` joins the loss from the next iteration on, in place of what has that

@@ -5,7 +5,7 @@
 //! or many at once where a round trip is dear.
 
 use super::term::{Term, views_of};
-use super::{Adam, AdamOptions, RasterKind, Work};
+use super::{Adam, AdamOptions, Courier, RasterKind, Work};
 use crate::Error;
 use crate::objective::{Clearance, Elastic, Guides, Neighbours, Progress, Pyramid, Texture};
 use crate::view::{Camera, Image, Occluder};
@@ -278,6 +278,12 @@ pub trait Engine: Send {
 
     /// The most iterations that pay in one call of [`Engine::advance`].
     fn batch(&self) -> usize;
+
+    /// Has a [`Mate`](super::Mate) compute some of the views from the next iteration on, or nobody where that is of no use. Once it
+    /// fails the engine goes on without it; neither changes a bit.
+    fn hire(&mut self, courier: Box<dyn Courier>) {
+        drop(courier);
+    }
 
     /// Where it computes now.
     fn place(&self) -> Place;

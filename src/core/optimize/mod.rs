@@ -21,7 +21,7 @@ pub use crate::work::{Work, wait};
 pub use adam::{Adam, AdamOptions, SecondMoment};
 pub use bending::Bending;
 pub use checkpoint::Checkpoint;
-pub use cpu::CpuEngine;
+pub use cpu::{Answer, Courier, CpuEngine, Mate};
 pub use engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
 pub use history::{Event, EventKind, History};
 pub use problem::{Problem, Seen, WidthBounds};

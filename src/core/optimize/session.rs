@@ -7,7 +7,7 @@ use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::term::term_count;
 use super::topology::TopologyEdit;
-use super::{CpuEngine, Problem, Seen, Stage};
+use super::{Courier, CpuEngine, Problem, Seen, Stage};
 use crate::objective::{Displacement, Guidance, Guides, Progress, bend_ink};
 use crate::rng::Rng;
 use crate::view::Image;
@@ -192,6 +192,12 @@ impl Session {
     /// Where the fit is computed now.
     pub fn place(&self) -> Place {
         self.engine.place()
+    }
+
+    /// Has a [`Mate`](super::Mate) compute some of the views from the next iteration on, where that is of use. The wire stays the same,
+    /// bit for bit, also where the mate fails on the way.
+    pub fn hire(&mut self, courier: Box<dyn Courier>) {
+        self.engine.hire(courier);
     }
 
     /// Why the engine no longer computes where it was asked to, if so.
