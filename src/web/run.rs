@@ -258,6 +258,12 @@ impl Run {
         json(&self.session().place())
     }
 
+    /// How many workers compute it now: 1, and mates that are at work.
+    #[wasm_bindgen(getter)]
+    pub fn workers(&self) -> usize {
+        self.session().workers()
+    }
+
     /// Iterations done.
     #[wasm_bindgen(getter)]
     pub fn iteration(&self) -> usize {

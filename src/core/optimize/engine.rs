@@ -285,6 +285,11 @@ pub trait Engine: Send {
         drop(courier);
     }
 
+    /// How many compute now: itself, and those it hired and has work for.
+    fn workers(&self) -> usize {
+        1
+    }
+
     /// Where it computes now.
     fn place(&self) -> Place;
 

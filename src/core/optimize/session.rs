@@ -200,6 +200,11 @@ impl Session {
         self.engine.hire(courier);
     }
 
+    /// How many compute it now: 1, and those that were hired and have work.
+    pub fn workers(&self) -> usize {
+        self.engine.workers()
+    }
+
     /// Why the engine no longer computes where it was asked to, if so.
     pub fn engine_trouble(&self) -> Option<&Error> {
         self.engine.trouble()

@@ -359,11 +359,12 @@ impl Engine for CpuEngine {
         self.crew.hire(courier);
     }
 
+    fn workers(&self) -> usize {
+        self.crew.at_work().max(1)
+    }
+
     fn place(&self) -> Place {
-        let mut why = self.why.clone().unwrap_or_else(|| "The processor does the work.".into());
-        if self.crew.is_at_work() {
-            why.push_str(&format!(" It works on {} of its cores.", self.crew.at_work()));
-        }
+        let why = self.why.clone().unwrap_or_else(|| "The processor does the work.".into());
         Place { backend: "cpu", device: "processor".into(), why }
     }
 }
