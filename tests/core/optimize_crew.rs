@@ -13,6 +13,10 @@ use wire4d::objective::{Guidance, Progress, Rendered};
 use wire4d::optimize::{
     Answer, Courier, Mate, Moment, Problem, Recipe, Respace, Session, Stage, TopologyEdit, TopologyEvent, Work,
 };
+use wire4d::raster::{ExactRaster, Part, Raster};
+use wire4d::rng::Rng;
+use wire4d::view::View;
+use wire4d::wire::Stroke;
 
 /// A mate whose messages pass through bytes, answered once somebody waits for them; it fails at the message of a number.
 struct Beside {
@@ -111,6 +115,43 @@ fn a_view_for_which_nobody_is_left_is_drawn_by_all() {
     assert_eq!(asked[0].load(Ordering::Relaxed), 3 * 10);
     finished(&problem, |session| asked = hire_many(session, 2));
     assert_eq!(asked[0].load(Ordering::Relaxed), 10);
+}
+
+#[test]
+fn parts_add_up_to_the_whole_and_back() {
+    let wire = random_wire(200, 9);
+    let (map, mut strokes) = wire.sampling_map::<f32>(4, true);
+    strokes.push(Stroke { start: 100, count: 150, closed: true });
+    let points: Vec<[f32; 4]> = wire.control_points().iter().map(|p| p.map(|c| c as f32)).collect();
+    let mut samples = Vec::new();
+    map.apply(&points, &mut samples);
+    let [view, ..] = View::canonical(2.2, 80);
+    let vertices: Vec<_> = samples.iter().map(|sample| view.camera::<f32>().project(sample)).collect();
+    let mut rng = Rng::new(3, 0);
+    let adjoint: Vec<f32> = (0..80 * 80).map(|_| rng.range(-1.0, 1.0) as f32).collect();
+    let (mut whole, mut d_whole) = (ExactRaster::new(), Vec::new());
+    let coverage = whole.forward(80, 80, &vertices, &strokes).to_vec();
+    whole.backward(&adjoint, &mut d_whole);
+    for borders in [vec![0, 512, 1024], vec![0, 100, 700, 1024], vec![0, 0, 1024, 1024]] {
+        let part = |pair: &[u32]| {
+            let mut raster = ExactRaster::new();
+            raster.trace_part(80, 80, &vertices, &strokes, Part { from: pair[0], to: pair[1] });
+            raster
+        };
+        let mut parts: Vec<ExactRaster> = borders.windows(2).map(part).collect();
+        let (first, others) = parts.split_first_mut().unwrap();
+        others.iter().for_each(|other| first.add(other.sums()));
+        assert_eq!(first.finish(), coverage, "{borders:?}");
+        let mut sum = vec![[0.0; 3]; vertices.len()];
+        for raster in &mut parts {
+            let mut d_vertices = Vec::new();
+            raster.backward(&adjoint, &mut d_vertices);
+            for (sum, d) in sum.iter_mut().zip(d_vertices) {
+                (0..3).for_each(|c| sum[c] += d[c]);
+            }
+        }
+        assert_eq!(sum, d_whole, "{borders:?}");
+    }
 }
 
 #[test]

@@ -231,6 +231,9 @@ pub enum Picture {
     DCoverage,
 }
 
+/// Finds who may come too near whom.
+pub type FindNeighbours = Box<dyn FnOnce() -> Neighbours + Send>;
+
 /// Computes iterations. Same scene, state and steps give the same numbers, bit for bit, on any number of threads and
 /// however many iterations go into a call.
 pub trait Engine: Send {
@@ -249,6 +252,11 @@ pub trait Engine: Send {
 
     /// Replaces who may come too near whom.
     fn set_neighbours(&mut self, neighbours: Neighbours);
+
+    /// Likewise, as `find` finds them: now, or when they are first needed.
+    fn set_neighbours_found_by(&mut self, find: FindNeighbours) {
+        self.set_neighbours(find());
+    }
 
     /// Loss terms at `points` (a row as in [`Term`]; weighted) into `terms`, and the gradient of the total into
     /// `d_points`. Results need not be finite; the session looks after that.

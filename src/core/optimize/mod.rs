@@ -22,7 +22,7 @@ pub use adam::{Adam, AdamOptions, SecondMoment};
 pub use bending::Bending;
 pub use checkpoint::Checkpoint;
 pub use cpu::{Answer, Courier, CpuEngine, Mate};
-pub use engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
+pub use engine::{Engine, FindNeighbours, Picture, Place, Scene, SceneView, State, Step, Tally};
 pub use history::{Event, EventKind, History};
 pub use problem::{Problem, Seen, WidthBounds};
 pub use pull::SurfacePull;

@@ -315,8 +315,8 @@ impl Session {
                 self.engine.set_planes(planes);
             }
             if strands_due {
-                let neighbours = self.neighbours();
-                self.engine.set_neighbours(neighbours);
+                let find = self.find_neighbours();
+                self.engine.set_neighbours_found_by(find);
             }
         }
         if self.unseen {

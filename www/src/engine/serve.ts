@@ -76,7 +76,7 @@ async function run({ task, work, settings, from, first, guide }: Calls["run"]["a
     const engine = engines.find((engine) => engine.task === task)!;
     const core = await loaded();
     // They get ready while the first wire is laid; a graphics card has no use for them.
-    if (core.card()) crew.dismiss();
+    if (core.card() && settings["backend"] !== "cpu") crew.dismiss();
     else crew.call(core.module());
     const session = await engine.start(work, settings, checkpoint, ears);
     try {

@@ -23,8 +23,8 @@ pub trait Courier: Send {
 /// What a mate answers to a message, or why it does not.
 pub type Answer = Work<'static, Result<Vec<u8>>>;
 
-/// The engine's own part of a view that all draw, of [`Part::WHOLE`] by the number of them: the engine has the curve to look at, too.
-const OWN_PART: f64 = 0.8;
+/// How large the engine's own part of a view that all draw is, in equal parts: it has the curve to look at, too.
+const OWN_PART: f64 = 0.6;
 
 /// Those who compute views for an engine, and what each has of the scene.
 #[derive(Default)]
@@ -45,6 +45,8 @@ struct Member {
     /// The views that it computes whole, ascending.
     views: Vec<usize>,
     part: Part,
+    /// Where that lies in the picture.
+    masks: Vec<u32>,
     is_lost: bool,
 }
 
@@ -61,8 +63,8 @@ pub(super) struct Given<'a> {
 
 impl Crew {
     pub fn hire(&mut self, courier: Box<dyn Courier>) {
-        let (orders, views, part) = (Writer::default(), Vec::new(), Part { from: 0, to: 0 });
-        self.members.push(Member { courier, orders, views, part, is_lost: false });
+        let (orders, part) = (Writer::default(), Part { from: 0, to: 0 });
+        self.members.push(Member { courier, orders, views: Vec::new(), part, masks: Vec::new(), is_lost: false });
         self.is_due = true;
     }
 
@@ -185,8 +187,17 @@ impl Crew {
         let mut is_whole = true;
         for (member, answers) in self.members.iter_mut().zip(&mut asked.0) {
             let pixels = view.target.data.len();
-            match member.answer(answers, |reader| reader.list::<i32>(pixels)).await {
-                Some(sums) => view.add_part(&sums),
+            let read = |reader: &mut Reader| {
+                let masks = reader.list::<u32>(pixels.div_ceil(32))?;
+                let mut sums = vec![0; pixels];
+                reader.sparse(&masks, &mut sums)?;
+                Ok((masks, sums))
+            };
+            match member.answer(answers, read).await {
+                Some((masks, sums)) => {
+                    member.masks = masks;
+                    view.add_part(&sums);
+                }
                 None => is_whole = false,
             }
         }
@@ -198,7 +209,7 @@ impl Crew {
         for (member, answers) in self.members.iter_mut().zip(&mut asked.0) {
             member.orders.order(Order::PullBack);
             member.orders.count(number);
-            member.orders.all(d_coverage);
+            member.orders.sparse(&member.masks, d_coverage);
             answers.push_back(member.send());
         }
     }

@@ -1,6 +1,6 @@
 //! What is about the curve and does not look at views: its weighted losses and their gradients.
 
-use super::super::engine::Step;
+use super::super::engine::{FindNeighbours, Step};
 use crate::objective::{
     Neighbours, clearance_and_gradient, elastic_and_gradient, length_and_gradient, surface_and_gradient,
 };
@@ -61,6 +61,8 @@ impl Curve {
 pub(super) struct Strand {
     nodes: Nodes<f32>,
     pub neighbours: Neighbours,
+    /// Finds those to come, while others are still at their views.
+    pub find: Option<FindNeighbours>,
     /// Place, first and second derivative at the nodes, and the gradients to them.
     values: [Vec<[f32; 4]>; 3],
     d_values: [Vec<[f32; 4]>; 3],
@@ -70,7 +72,7 @@ impl Strand {
     pub fn new(nodes: Nodes<f32>, neighbours: Neighbours) -> Strand {
         let neighbours = if neighbours.starts.is_empty() { Neighbours::none(nodes.len()) } else { neighbours };
         let zeros = || vec![[0.0; 4]; nodes.len()];
-        Strand { values: [0; 3].map(|_| zeros()), d_values: [0; 3].map(|_| zeros()), nodes, neighbours }
+        Strand { values: [0; 3].map(|_| zeros()), d_values: [0; 3].map(|_| zeros()), nodes, neighbours, find: None }
     }
 
     /// Bending, tightness, evenness, clearance.
@@ -78,7 +80,10 @@ impl Strand {
         if !step.is_of_strand() {
             return [0.0; 4];
         }
-        let Strand { nodes, neighbours, values, d_values } = self;
+        let Strand { nodes, neighbours, find, values, d_values } = self;
+        if let Some(find) = find.take() {
+            *neighbours = find();
+        }
         let maps = [&nodes.place, &nodes.first, &nodes.second];
         maps.iter().zip(&mut *values).for_each(|(map, values)| map.apply(points, values));
         d_values.iter_mut().for_each(|d| d.fill([0.0; 4]));

@@ -1,7 +1,7 @@
 //! The other end of a [`Crew`](super::crew::Crew): computes some views of somebody else's scene.
 
 use super::super::RasterKind;
-use super::message::{Order, Reader, Writer, wrong};
+use super::message::{Order, Reader, Writer, masks_of, wrong};
 use super::view::ViewEngine;
 use crate::Result;
 use crate::objective::Pyramid;
@@ -30,8 +30,8 @@ struct Seat {
     number: usize,
     part: Part,
     view: ViewEngine,
-    /// Whether a part of it is drawn, which can be pulled back.
-    is_drawn: bool,
+    /// Where the part that it drew last lies; empty before.
+    masks: Vec<u32>,
 }
 
 impl Mate {
@@ -79,11 +79,11 @@ impl Mate {
             }
             Order::PullBack => {
                 let number = reader.count()?;
-                let Seat { view, is_drawn, .. } = self.seat(number)?;
-                if !*is_drawn {
+                let Seat { view, masks, .. } = self.seat(number)?;
+                if masks.is_empty() {
                     return Err(wrong("it was asked to pull back what it has not drawn"));
                 }
-                reader.fill(&mut view.seen.d_coverage)?;
+                reader.sparse(masks, &mut view.seen.d_coverage)?;
                 view.pull_back_part();
                 writer.all(&view.d_vertices);
             }
@@ -104,7 +104,7 @@ impl Mate {
             return Err(wrong("bands have no parts"));
         }
         let size = (view.target.width, view.target.height);
-        let new = |view| Seat { number, part, view: ViewEngine::new(view, *raster, *pyramid), is_drawn: false };
+        let new = |view| Seat { number, part, view: ViewEngine::new(view, *raster, *pyramid), masks: Vec::new() };
         match self.seats.iter_mut().find(|seat| seat.number == number) {
             Some(seat) if (seat.view.target.width, seat.view.target.height) == size => {
                 seat.part = part;
@@ -121,10 +121,13 @@ impl Mate {
         [self.level_ratio] = reader.few()?;
         let points = reader.list::<[f32; 4]>(sampling.columns())?;
         sampling.apply(&points, &mut self.samples);
-        for Seat { view, part, is_drawn, .. } in self.seats.iter_mut().filter(|seat| seat.part != Part::ALL) {
+        for Seat { view, part, masks, .. } in self.seats.iter_mut().filter(|seat| seat.part != Part::ALL) {
             view.draw_part(&self.samples, strokes, *part);
-            view.take_part(|sums| writer.all(sums));
-            *is_drawn = true;
+            view.take_part(|sums| {
+                *masks = masks_of(sums);
+                writer.all(masks);
+                writer.sparse(masks, sums);
+            });
         }
         Ok(())
     }

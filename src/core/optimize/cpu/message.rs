@@ -24,7 +24,7 @@ pub(super) enum Order {
     Points,
     /// To draw whole views and go all the way back; answered by each one's loss and gradient to the samples.
     Draw,
-    /// The gradient to the picture of a view drawn in parts; answered by the part's gradient to the vertices.
+    /// The gradient to the picture of a view drawn in parts, where the part lies; answered by the part's gradient to the vertices.
     PullBack,
     /// Answered by whole views' coverage.
     Coverage,
@@ -49,6 +49,20 @@ pub(super) fn wrong(problem: &str) -> Error {
     Error::device("the worker that computes views", problem, "the others go on without it")
 }
 
+/// Which values are not 0, a bit each: of a part's sums most are.
+pub(super) fn masks_of(sums: &[i32]) -> Vec<u32> {
+    let mask = |sums: &[i32]| sums.iter().enumerate().map(|(i, &sum)| u32::from(sum != 0) << i).sum();
+    sums.chunks(32).map(mask).collect()
+}
+
+/// Where the bits are set.
+fn places(masks: &[u32]) -> impl Iterator<Item = usize> + '_ {
+    masks.iter().enumerate().flat_map(|(i, &mask)| {
+        let left = std::iter::successors(Some(mask), |left| Some(left & left.wrapping_sub(1)));
+        left.take_while(|&left| left != 0).map(move |left| 32 * i + left.trailing_zeros() as usize)
+    })
+}
+
 /// Writes a message.
 #[derive(Default)]
 pub(super) struct Writer(pub Vec<u8>);
@@ -64,6 +78,13 @@ impl Writer {
 
     pub fn all<T: Pod>(&mut self, values: &[T]) {
         self.0.extend_from_slice(bytemuck::cast_slice(values));
+    }
+
+    /// The values where bits are set.
+    pub fn sparse<T: Pod>(&mut self, masks: &[u32], values: &[T]) {
+        let set: usize = masks.iter().map(|mask| mask.count_ones() as usize).sum();
+        self.0.reserve(set * size_of::<T>());
+        places(masks).for_each(|place| self.all(&[values[place]]));
     }
 
     pub fn scene(&mut self, sampling: &LinearMap<f32>, strokes: &[Stroke], raster: RasterKind, pyramid: Pyramid) {
@@ -158,6 +179,15 @@ impl Reader<'_> {
     pub fn counted<T: Pod>(&mut self) -> Result<Vec<T>> {
         let count = self.count()?;
         self.list(count)
+    }
+
+    /// What [`Writer::sparse`] wrote; other values stay.
+    pub fn sparse<T: Pod>(&mut self, masks: &[u32], values: &mut [T]) -> Result<()> {
+        for place in places(masks) {
+            let value = values.get_mut(place).ok_or_else(|| wrong("a pixel lies beside its picture"))?;
+            [*value] = self.few()?;
+        }
+        Ok(())
     }
 
     pub fn scene(&mut self) -> Result<(LinearMap<f32>, Vec<Stroke>, RasterKind, Pyramid)> {

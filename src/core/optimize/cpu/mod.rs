@@ -10,7 +10,7 @@ mod view;
 pub use crew::{Answer, Courier};
 pub use mate::Mate;
 
-use super::engine::{Engine, Picture, Place, Scene, SceneView, State, Step, Tally};
+use super::engine::{Engine, FindNeighbours, Picture, Place, Scene, SceneView, State, Step, Tally};
 use super::term::Term;
 use super::{RasterKind, Work, wait};
 use crate::objective::{Guides, Neighbours, Pyramid, Rendered, TextureGuidance};
@@ -303,9 +303,15 @@ impl Engine for CpuEngine {
         }
     }
 
+    fn set_neighbours_found_by(&mut self, find: FindNeighbours) {
+        if let Some(strand) = self.scene.as_mut().and_then(|curve| curve.strand.as_mut()) {
+            strand.find = Some(find);
+        }
+    }
+
     fn set_neighbours(&mut self, neighbours: Neighbours) {
         if let Some(strand) = self.scene.as_mut().and_then(|curve| curve.strand.as_mut()) {
-            strand.neighbours = neighbours;
+            (strand.neighbours, strand.find) = (neighbours, None);
         }
     }
 
