@@ -18,7 +18,7 @@ use wire4d::rng::Rng;
 use wire4d::view::View;
 use wire4d::wire::Stroke;
 
-/// A mate whose messages pass through bytes, answered once somebody waits for them; it fails at the message of a number.
+/// A mate whose messages pass through bytes, answered once somebody waits for them; it fails from the message of a number on.
 struct Beside {
     mate: Arc<Mutex<Mate>>,
     asked: Arc<AtomicUsize>,
@@ -36,7 +36,7 @@ enum Failure {
 impl Courier for Beside {
     fn ask(&mut self, message: &[u8]) -> Answer {
         let answer = self.mate.lock().unwrap().answer(message);
-        let fails = self.asked.fetch_add(1, Ordering::Relaxed) == self.fails_at;
+        let fails = self.asked.fetch_add(1, Ordering::Relaxed) >= self.fails_at;
         let how = self.how;
         let mut waited = false;
         Work::later(async move {
@@ -56,7 +56,7 @@ impl Courier for Beside {
     }
 }
 
-/// Hires one that fails at a message, or never; how many messages it gets.
+/// Hires one that fails from a message on, or never; how many messages it gets.
 fn hire(session: &mut Session, fails_at: usize, how: Failure) -> Arc<AtomicUsize> {
     let asked = Arc::new(AtomicUsize::new(0));
     session.hire(Box::new(Beside { mate: Arc::default(), asked: asked.clone(), fails_at, how }));
