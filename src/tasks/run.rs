@@ -8,7 +8,7 @@ use crate::Result;
 use crate::export::replay;
 use crate::metrics::{ArrangementReport, EventReport, Report, ResultReport, TimeReport};
 use crate::objective::{Displacement, Guidance};
-use crate::optimize::{Event, Place, Session, wait};
+use crate::optimize::{Courier, Event, Place, Session, wait};
 use crate::sculpture::{Carried, MadeWith, Sculpture};
 use crate::settings::Settings;
 use crate::view::{Image, Target};
@@ -155,6 +155,11 @@ impl Run {
     /// See [`Session::stop_guiding`].
     pub fn stop_guiding(&mut self, name: &str) {
         self.session.stop_guiding(name);
+    }
+
+    /// Who else is to compute views of it: see [`Session::hire`].
+    pub fn hire(&mut self, courier: Box<dyn Courier>) {
+        self.session.hire(courier);
     }
 
     /// What the report compares the wire's views with; blank for those that are only guided.

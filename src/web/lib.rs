@@ -1,6 +1,7 @@
 //! The core as the page's worker sees it: a wasm-bindgen façade and no maths. Numbers cross as typed arrays, small
 //! things as JSON, errors as the core's own sentences.
 
+mod crew;
 mod guidance;
 mod made;
 mod pictures;

@@ -1,5 +1,6 @@
 //! A run that the worker pulls: `step` a little, look, `step` again.
 
+use crate::crew::{Ask, Asked};
 use crate::guidance::{
     Asks, Contexts, DenoiserObject, DiffusionOptions, EncoderObject, GuidanceFunction, Networks, Vectors, WordsOptions,
     by_diffusion, by_words,
@@ -181,6 +182,12 @@ impl Run {
         Ok(json(&events))
     }
 
+    /// Has a [`Mate`](crate::crew::Mate) of another worker compute some of the views from the next step on: `ask` brings it a message
+    /// and promises its answer. Once that fails the run goes on without; neither changes a bit of the wire.
+    pub fn hire(&mut self, ask: Ask) {
+        self.0.hire(Box::new(Asked::new(ask)));
+    }
+
     /// `weight` (from 0) times the loss of `guidance` joins the loss from the next iteration on, in place of what has that
     /// name. Neither settings nor checkpoints keep it: who resumes a run sets it again.
     ///
@@ -249,6 +256,12 @@ impl Run {
     /// Where the fit is computed now, and why, as JSON: see [`crate::place`].
     pub fn place(&self) -> String {
         json(&self.session().place())
+    }
+
+    /// How many workers compute it now: 1, and mates that are at work.
+    #[wasm_bindgen(getter)]
+    pub fn workers(&self) -> usize {
+        self.session().workers()
     }
 
     /// Iterations done.

@@ -12,6 +12,7 @@ mod metrics_elegance;
 mod metrics_shape;
 #[path = "../support/optimize_common/mod.rs"]
 mod optimize_common;
+mod optimize_crew;
 mod optimize_gradient;
 mod optimize_occlusion;
 mod optimize_refit;

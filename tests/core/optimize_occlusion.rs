@@ -38,7 +38,7 @@ fn views(turn: u64) -> (Vec<Target>, Vec<Occluder>) {
 }
 
 /// A thin spiral round the ball, a little off it.
-fn problem(weight: f64) -> Problem {
+pub fn problem(weight: f64) -> Problem {
     let count = 140;
     let mut rng = Rng::new(8, 0);
     let point = |i: usize| {
@@ -67,7 +67,7 @@ fn problem(weight: f64) -> Problem {
 }
 
 /// Goes on to `end` with other views every `every` iterations.
-fn go_on(session: &mut Session, every: usize, end: usize) {
+pub fn go_on(session: &mut Session, every: usize, end: usize) {
     while session.iteration() < end {
         let i = session.iteration();
         if i > 0 && i.is_multiple_of(every) {

@@ -16,7 +16,7 @@ use wire4d::optimize::{
 use wire4d::view::{Image, Target};
 
 /// Two stages, a restart, bending, two re-initialisations and a refinement in 60 iterations.
-fn eventful() -> Problem {
+pub fn eventful() -> Problem {
     let truth = random_wire(14, 3);
     let stage = |iterations, size_px, restarts| Stage {
         iterations,
@@ -49,7 +49,7 @@ fn finished(problem: Problem) -> Session {
     session
 }
 
-fn assert_same(a: &Session, b: &Session) {
+pub fn assert_same(a: &Session, b: &Session) {
     assert_eq!(a.wire(), b.wire());
     assert_eq!(a.best(), b.best());
     assert_eq!(a.events(), b.events());

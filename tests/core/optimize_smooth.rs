@@ -13,7 +13,7 @@ use wire4d::rng::Rng;
 use wire4d::view::{Target, View};
 use wire4d::wire::Wire;
 
-fn smooth_recipe(iterations: usize) -> Recipe {
+pub fn smooth_recipe(iterations: usize) -> Recipe {
     let stage = |share: usize, size_px| Stage {
         iterations: iterations * share / 2,
         size_px,

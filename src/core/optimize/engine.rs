@@ -5,7 +5,7 @@
 //! or many at once where a round trip is dear.
 
 use super::term::{Term, views_of};
-use super::{Adam, AdamOptions, RasterKind, Work};
+use super::{Adam, AdamOptions, Courier, RasterKind, Work};
 use crate::Error;
 use crate::objective::{Clearance, Elastic, Guides, Neighbours, Progress, Pyramid, Texture};
 use crate::view::{Camera, Image, Occluder};
@@ -231,6 +231,9 @@ pub enum Picture {
     DCoverage,
 }
 
+/// Finds who may come too near whom.
+pub type FindNeighbours = Box<dyn FnOnce() -> Neighbours + Send>;
+
 /// Computes iterations. Same scene, state and steps give the same numbers, bit for bit, on any number of threads and
 /// however many iterations go into a call.
 pub trait Engine: Send {
@@ -249,6 +252,11 @@ pub trait Engine: Send {
 
     /// Replaces who may come too near whom.
     fn set_neighbours(&mut self, neighbours: Neighbours);
+
+    /// Likewise, as `find` finds them: now, or when they are first needed.
+    fn set_neighbours_found_by(&mut self, find: FindNeighbours) {
+        self.set_neighbours(find());
+    }
 
     /// Loss terms at `points` (a row as in [`Term`]; weighted) into `terms`, and the gradient of the total into
     /// `d_points`. Results need not be finite; the session looks after that.
@@ -278,6 +286,17 @@ pub trait Engine: Send {
 
     /// The most iterations that pay in one call of [`Engine::advance`].
     fn batch(&self) -> usize;
+
+    /// Has a [`Mate`](super::Mate) compute some of the views from the next iteration on, or nobody where that is of no use. Once it
+    /// fails the engine goes on without it; neither changes a bit.
+    fn hire(&mut self, courier: Box<dyn Courier>) {
+        drop(courier);
+    }
+
+    /// How many compute now: itself, and those it hired and has work for.
+    fn workers(&self) -> usize {
+        1
+    }
 
     /// Where it computes now.
     fn place(&self) -> Place;

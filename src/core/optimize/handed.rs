@@ -1,7 +1,7 @@
 //! What the engine is handed: the present stage's wire, its views at the size that is fitted, and the planes it is kept on.
 
 use super::bending::Bender;
-use super::engine::{Scene, SceneView};
+use super::engine::{FindNeighbours, Scene, SceneView};
 use super::{Problem, Seen, Session, Stage};
 use crate::objective::Neighbours;
 use crate::view::{Image, Occluder, Target};
@@ -74,7 +74,7 @@ impl Session {
             texture: self.problem.texture.clone(),
             guides: self.guides.clone(),
             nodes: self.nodes(),
-            neighbours: self.neighbours(),
+            neighbours: self.find_neighbours()(),
             ..Scene::new(&self.wire, stage.samples_per_span, views)
         };
         self.engine.load(scene).done().await;
@@ -145,16 +145,18 @@ impl Session {
     }
 
     /// Who may come too near whom, as seen at `strand_points`.
-    pub(super) fn neighbours(&self) -> Neighbours {
-        let Some((smooth, nodes)) = self.problem.recipe.smooth.as_ref().zip(self.nodes()) else {
-            return Neighbours::default();
-        };
-        let (mut places, mut first) = (Vec::new(), Vec::new());
-        nodes.place.apply(&self.strand_points, &mut places);
-        nodes.first.apply(&self.strand_points, &mut first);
+    pub(super) fn find_neighbours(&self) -> FindNeighbours {
+        let Some(smooth) = &self.problem.recipe.smooth else { return Box::new(Neighbours::default) };
+        let (wire, points, nodes_per_span) = (self.wire.clone(), self.strand_points.clone(), smooth.nodes_per_span);
         let (one_strand, slack) = smooth.watch(self.px_256);
         let clearance = smooth.clearance(0.0, self.px_256, 0.0);
-        Neighbours::find(&places, &nodes.lengths(&first), nodes.closed, &clearance, one_strand, slack)
+        Box::new(move || {
+            let nodes = wire.nodes::<f32>(nodes_per_span);
+            let (mut places, mut first) = (Vec::new(), Vec::new());
+            nodes.place.apply(&points, &mut places);
+            nodes.first.apply(&points, &mut first);
+            Neighbours::find(&places, &nodes.lengths(&first), nodes.closed, &clearance, one_strand, slack)
+        })
     }
 
     /// Mean speed along the wire at `strand_points`, world units a knot unit.

@@ -7,7 +7,7 @@ use super::history::{Event, EventKind, History};
 use super::reinit::{NewPoint, Reinit, Volume, reinit};
 use super::term::term_count;
 use super::topology::TopologyEdit;
-use super::{CpuEngine, Problem, Seen, Stage};
+use super::{Courier, CpuEngine, Problem, Seen, Stage};
 use crate::objective::{Displacement, Guidance, Guides, Progress, bend_ink};
 use crate::rng::Rng;
 use crate::view::Image;
@@ -194,6 +194,17 @@ impl Session {
         self.engine.place()
     }
 
+    /// Has a [`Mate`](super::Mate) compute some of the views from the next iteration on, where that is of use. The wire stays the same,
+    /// bit for bit, also where the mate fails on the way.
+    pub fn hire(&mut self, courier: Box<dyn Courier>) {
+        self.engine.hire(courier);
+    }
+
+    /// How many compute it now: 1, and those that were hired and have work.
+    pub fn workers(&self) -> usize {
+        self.engine.workers()
+    }
+
     /// Why the engine no longer computes where it was asked to, if so.
     pub fn engine_trouble(&self) -> Option<&Error> {
         self.engine.trouble()
@@ -304,8 +315,8 @@ impl Session {
                 self.engine.set_planes(planes);
             }
             if strands_due {
-                let neighbours = self.neighbours();
-                self.engine.set_neighbours(neighbours);
+                let find = self.find_neighbours();
+                self.engine.set_neighbours_found_by(find);
             }
         }
         if self.unseen {

@@ -10,6 +10,7 @@ use super::shapes::{Circles, Shapes};
 use super::walk::SubEdge;
 use crate::parallel;
 use crate::wire::Stroke;
+use std::ops::Range;
 
 /// Nodes a chunk. Chunks are what threads share out; their number depends on the strokes alone.
 const CHUNK: usize = 128;
@@ -59,6 +60,45 @@ pub struct ExactRaster {
     left: Vec<i32>,
     sums: Vec<i32>,
     coverage: Vec<f32>,
+    /// The chunks whose outline was traced.
+    traced: Range<usize>,
+}
+
+/// A part of the strokes, in shares of [`Part::WHOLE`]. What parts add up to is the whole, bit for bit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Part {
+    /// Where it begins.
+    pub from: u32,
+    /// Where the next one begins.
+    pub to: u32,
+}
+
+impl Part {
+    /// Where the last part ends.
+    pub const WHOLE: u32 = 1 << 10;
+    /// All of it.
+    pub const ALL: Part = Part { from: 0, to: Part::WHOLE };
+
+    fn of(self, count: usize) -> Range<usize> {
+        let at = |share: u32| count * share.min(Part::WHOLE) as usize / Part::WHOLE as usize;
+        at(self.from.min(self.to))..at(self.to)
+    }
+}
+
+/// Everything that chunks share of a pass, while their outlines are written to.
+macro_rules! scene {
+    ($raster:expr) => {
+        Scene {
+            width: $raster.width,
+            height: $raster.height,
+            nodes: &$raster.nodes,
+            pieces: &$raster.pieces,
+            joints: &$raster.joints,
+            shapes: &$raster.shapes,
+            circles: &$raster.circles,
+            cells: &$raster.cells,
+        }
+    };
 }
 
 impl ExactRaster {
@@ -69,7 +109,7 @@ impl ExactRaster {
 
     /// Calls `visit(vertex, outward normal, sub-edges, u per px)` for each visible run of the last forward pass.
     pub(super) fn visit_outline(&self, mut visit: impl FnMut(usize, [f32; 2], &[SubEdge], f32)) {
-        for outline in &self.outlines[..self.chunks()] {
+        for outline in &self.outlines[self.traced.clone()] {
             let mut first = 0;
             for run in &outline.runs {
                 let sub_edges = &outline.sub_edges[first..run.end as usize];
@@ -88,46 +128,86 @@ impl ExactRaster {
         strokes: &[Stroke],
         mut done: impl FnMut(&'static str),
     ) -> &[f32] {
+        self.trace(width, height, vertices, strokes, Part::ALL, &mut done);
+        done("outline");
+        self.finish();
+        done("rows");
+        &self.coverage
+    }
+
+    /// The first half of [`Raster::forward`], by a part of the strokes alone: its share of the picture lies in
+    /// [`ExactRaster::sums`]. Who adds the other parts' can [`ExactRaster::finish`] it; [`Raster::backward`] is then about this part.
+    pub fn trace_part(&mut self, width: usize, height: usize, vertices: &[[f32; 3]], strokes: &[Stroke], part: Part) {
+        self.trace(width, height, vertices, strokes, part, &mut |_| {});
+    }
+
+    fn trace(
+        &mut self,
+        width: usize,
+        height: usize,
+        vertices: &[[f32; 3]],
+        strokes: &[Stroke],
+        part: Part,
+        done: &mut dyn FnMut(&'static str),
+    ) {
         (self.width, self.height, self.vertex_count) = (width, height, vertices.len());
         self.coverage.resize(width * height, 0.0);
         // Sums are left clean by the last pass, whatever its size.
         self.sums.resize(width * height + 1, 0);
-        self.left.resize(height, 0);
+        self.traced = 0..0;
         if width == 0 || height == 0 {
             self.nodes.clear();
-            return &self.coverage;
+            return;
         }
         pieces::build(vertices, strokes, &mut self.nodes, &mut self.pieces);
         joints::build(&self.nodes, &self.pieces, &mut self.joints);
         self.shapes.build(&self.nodes, &self.pieces, &self.joints, &self.circles);
         done("pieces");
         self.cells.build(width, height, &self.nodes, &self.shapes);
-
         done("cells");
         let (chunks, count) = (self.chunks(), self.nodes.len());
         if self.outlines.len() < chunks {
             self.outlines.resize_with(chunks, Outline::default);
         }
-        let scene = Scene {
-            width,
-            height,
-            nodes: &self.nodes,
-            pieces: &self.pieces,
-            joints: &self.joints,
-            shapes: &self.shapes,
-            circles: &self.circles,
-            cells: &self.cells,
-        };
-        let trace = |chunk: usize, outline: &mut Outline| outline.trace(&scene, nodes_of(chunk, count));
-        parallel::each_mut(&mut self.outlines[..chunks], LEAST_PARALLEL_CHUNKS, trace);
-        self.border.trace_left_border(&scene, &mut self.left);
-        for outline in &self.outlines[..chunks] {
+        self.traced = part.of(chunks);
+        let scene = scene!(self);
+        let first = self.traced.start;
+        let trace = |k: usize, outline: &mut Outline| outline.trace(&scene, nodes_of(first + k, count));
+        parallel::each_mut(&mut self.outlines[self.traced.clone()], LEAST_PARALLEL_CHUNKS, trace);
+        for outline in &self.outlines[self.traced.clone()] {
             rows::add(&outline.sub_edges, &mut self.sums);
         }
-        done("outline");
-        finish_rows(width, &mut self.sums, &self.left, &mut self.coverage);
-        self.sums[width * height] = 0;
-        done("rows");
+    }
+
+    /// What the part that was traced adds to each pixel, for [`ExactRaster::add`] of another raster.
+    pub fn sums(&self) -> &[i32] {
+        &self.sums[..self.width * self.height]
+    }
+
+    /// Adds what another part of the same strokes has traced.
+    ///
+    /// # Panics
+    /// If that was not for a picture of this size.
+    pub fn add(&mut self, sums: &[i32]) {
+        assert_eq!(sums.len(), self.width * self.height, "one sum a pixel");
+        rows::add_sums(sums, &mut self.sums);
+    }
+
+    /// Forgets what was traced, for who does not [`ExactRaster::finish`].
+    pub fn clear_sums(&mut self) {
+        self.sums.fill(0);
+    }
+
+    /// The second half of [`Raster::forward`], once all parts are together.
+    pub fn finish(&mut self) -> &[f32] {
+        let (width, height) = (self.width, self.height);
+        if width > 0 && height > 0 {
+            self.left.resize(height, 0);
+            let scene = scene!(self);
+            self.border.trace_left_border(&scene, &mut self.left);
+            finish_rows(width, &mut self.sums, &self.left, &mut self.coverage);
+            self.sums[width * height] = 0;
+        }
         &self.coverage
     }
 
@@ -143,14 +223,15 @@ impl Raster for ExactRaster {
 
     fn backward(&mut self, d_coverage: &[f32], d_vertices: &mut Vec<[f32; 3]>) {
         assert_eq!(d_coverage.len(), self.width * self.height, "one adjoint a pixel of the last forward pass");
-        let chunks = self.chunks();
-        let count = self.nodes.len();
-        let pull_back = |chunk: usize, outline: &mut Outline| outline.pull_back(d_coverage, nodes_of(chunk, count));
-        parallel::each_mut(&mut self.outlines[..chunks], LEAST_PARALLEL_CHUNKS, pull_back);
+        let (first, count) = (self.traced.start, self.nodes.len());
+        let outlines = &mut self.outlines[self.traced.clone()];
+        let pull_back = |k: usize, outline: &mut Outline| outline.pull_back(d_coverage, nodes_of(first + k, count));
+        parallel::each_mut(outlines, LEAST_PARALLEL_CHUNKS, pull_back);
         d_vertices.clear();
         d_vertices.resize(self.vertex_count, [0.0; 3]);
-        let d_pieces = self.outlines[..chunks].iter().flat_map(|outline| &outline.d_pieces);
-        for (node, [start, end]) in self.nodes.iter().zip(d_pieces) {
+        let d_pieces = outlines.iter().flat_map(|outline| &outline.d_pieces);
+        let nodes = self.nodes.iter().skip(nodes_of(first, count).start);
+        for (node, [start, end]) in nodes.zip(d_pieces) {
             let mut add = |vertex: u32, d: &[f32; 3]| {
                 for c in 0..3 {
                     d_vertices[vertex as usize][c] += d[c];

@@ -20,7 +20,7 @@ mod walk;
 
 pub use band::BandRaster;
 pub use check::{SELF_CHECK_TOLERANCE, self_check};
-pub use exact::ExactRaster;
+pub use exact::{ExactRaster, Part};
 pub use sampled::sampled_union;
 
 use crate::wire::Stroke;

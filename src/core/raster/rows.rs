@@ -11,6 +11,13 @@ pub(super) fn add(sub_edges: &[SubEdge], sums: &mut [i32]) {
     }
 }
 
+/// Adds the sums of other edges.
+pub(super) fn add_sums(others: &[i32], sums: &mut [i32]) {
+    for (sum, other) in sums.iter_mut().zip(others) {
+        *sum = sum.wrapping_add(other & !TOUCHED) | (other & TOUCHED);
+    }
+}
+
 /// Turns one row of sums into coverage and clears the sums. `left` is the row's sum left of the picture.
 ///
 /// A pixel no outline runs through is wholly in or out, so the running sum becomes one or the other there: what two

@@ -2,6 +2,7 @@
 
 import type { WireShape } from "#sculpture/scene/shape";
 import type { DiffusionOptions, GuidanceDenoiser, GuidanceEncoder, GuidanceNetwork, WordsOptions } from "./wasm/wire4d";
+import type { Ask } from "./crew";
 import type { Backend, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
@@ -31,6 +32,8 @@ export interface CoreRun {
   readonly iterations: number;
   /** Up to `count` iterations; what happened. */
   step(count: number): Promise<readonly RunEvent[]>;
+  /** Has somebody compute views from the next step on; it changes no bit. */
+  hire(ask: Ask): void;
   /** Where it is computed now: a device may be lost on the way. */
   place(): Place;
   frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
@@ -63,7 +66,8 @@ async function load(): Promise<typeof core> {
     );
   }
   try {
-    await init({ module_or_path: moduleUrl });
+    module = await compiled();
+    await init({ module_or_path: module });
     return core;
   } catch (error) {
     console.error(error);
@@ -71,7 +75,20 @@ async function load(): Promise<typeof core> {
   }
 }
 
+/** As init would: some hosts do not say that it is WebAssembly. */
+async function compiled(): Promise<WebAssembly.Module> {
+  const response = await fetch(moduleUrl);
+  if (!response.ok) throw new Error(`${response.status} for ${moduleUrl}`);
+  const again = response.clone();
+  return WebAssembly.compileStreaming(response).catch(async () => WebAssembly.compile(await again.arrayBuffer()));
+}
+
+let module: WebAssembly.Module;
+
 const core = {
+  /** Compiled, for others to compute with. */
+  module: () => module,
+
   settings: (tasks: readonly string[]): SettingsTables => Object.fromEntries(tasks.map((task) => [task, JSON.parse(wasm.settings_table(task)) as SettingsTable])),
 
   place: async (backend: Backend): Promise<Place> => JSON.parse(await wasm.place(backend)) as Place,
@@ -106,8 +123,9 @@ export function pulled(run: wasm.Run, names: readonly string[] = []): CoreRun {
     get iterations() {
       return run.iterations;
     },
+    hire: (ask) => run.hire(ask),
     step: async (count) => JSON.parse(await run.step(count)) as RunEvent[],
-    place: () => JSON.parse(run.place()) as Place,
+    place: () => ({ ...(JSON.parse(run.place()) as Place), ...(run.workers > 1 && { workers: run.workers }) }),
     frame,
     snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),

@@ -65,7 +65,10 @@ export const BACKENDS = ["auto", "cpu", "gpu"] as const satisfies readonly core.
 export type Backend = core.Backend;
 
 /** Where a fit is computed. */
-export type Place = Said<core.Place>;
+export interface Place extends Said<core.Place> {
+  /** How many workers compute, where that is more than one. */
+  readonly workers?: number;
+}
 
 /** What the run is at. */
 export interface Frame {

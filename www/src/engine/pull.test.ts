@@ -29,6 +29,10 @@ function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0, waitMs = 0)
       this.iteration = Math.min(iterations, this.iteration + count);
       return this.iteration === iterations ? [{ iteration: iterations, kind: "done" as const, count: 1 }] : [];
     },
+    hired: [] as unknown[],
+    hire(ask: unknown) {
+      this.hired.push(ask);
+    },
     place: () => run.where,
     frame: () => ({ wire: wire(), iteration: run.iteration, iterations, loss: 1 }),
     snapshot: () => ((clock += snapshotMs), { ...run.frame(), checkpoint: new Blob() }),
@@ -164,6 +168,23 @@ describe("a pulled run", () => {
     expect(run.asked.slice(10)).toEqual([1, 1]);
     expect(at).toEqual([0, 1, 2].map((more) => at[0]! + more));
     expect(snapshots.at(-1)!.iteration).toBe(run.iteration);
+  });
+
+  it("hires who is ready, once, between two slices", async () => {
+    const run = runOf(300);
+    const [early, late] = [() => Promise.reject(new Error()), () => Promise.reject(new Error())];
+    const pull = new Pull(
+      () => undefined,
+      {
+        get ready() {
+          return run.iteration < 100 ? [early] : [early, late];
+        },
+      },
+    );
+    await pull.toTheEnd(run, false);
+    expect(run.hired).toEqual([early, late]);
+    const { told } = await pulled(Object.assign(runOf(60), { place: () => ({ ...CPU, workers: 2 }) }), sees);
+    expect(told.filter(({ news }) => news === "place")).toEqual([{ news: "place", place: { ...CPU, workers: 2 } }]);
   });
 
   it("tells where it is computed, again when that changes, and begins with short slices there", async () => {

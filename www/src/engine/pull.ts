@@ -1,6 +1,7 @@
 /** Pulls a run in short slices, so that words from the page get through, and tells the page how it goes. */
 
 import type { CoreRun, OwnShape } from "./core";
+import type { Ask, Crew } from "./crew";
 import type { Control, News, Place } from "./protocol";
 import { SliceLength } from "./slice-length";
 
@@ -26,8 +27,12 @@ export class Pull {
   private pace: [number, number][] = [];
   private framed = { at: -Infinity, iteration: -1 };
   private snapped = { iteration: -1, ms: 0 };
+  private readonly hired = new Set<Ask>();
 
-  constructor(private readonly tell: (news: News, transfer?: Transferable[]) => void) {}
+  constructor(
+    private readonly tell: (news: News, transfer?: Transferable[]) => void,
+    private readonly crew: Pick<Crew, "ready"> = { ready: [] },
+  ) {}
 
   hear(control: Control["control"]): void {
     if (control === "seen") this.seen = true;
@@ -70,6 +75,7 @@ export class Pull {
     const first = run.iteration;
     // A slice ends where a snapshot is due, if there is time for one.
     const most = this.maySnapshot() ? apart - (first % apart) : Infinity;
+    this.hire(run);
     const before = performance.now();
     const events = await run.step(single ? 1 : Math.min(this.length.next, most));
     for (const event of events) this.tell({ news: "event", event });
@@ -86,11 +92,20 @@ export class Pull {
     if (Math.floor(run.iteration / apart) > Math.floor(this.snapped.iteration / apart) && this.maySnapshot()) this.snapshot(run);
   }
 
+  /** Whoever got ready meanwhile joins in. */
+  private hire(run: CoreRun): void {
+    for (const ask of this.crew.ready) {
+      if (this.hired.has(ask)) continue;
+      this.hired.add(ask);
+      run.hire(ask);
+    }
+  }
+
   /** Tells where it is computed, if the page does not know. Elsewhere it goes at another pace. */
   private lookWhere(run: CoreRun): void {
     const place = run.place();
     const { place: told } = this;
-    if (told && told.backend === place.backend && told.device === place.device && told.why === place.why) return;
+    if (told && (["backend", "device", "why", "workers"] as const).every((what) => told[what] === place[what])) return;
     if (told) this.length = new SliceLength();
     this.place = place;
     this.tell({ news: "place", place });

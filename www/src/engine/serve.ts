@@ -3,6 +3,7 @@
 import type { WireShape } from "#sculpture/scene/shape";
 import { openShareCode } from "#sculpture/share/code";
 import { loaded, type CoreRun } from "./core";
+import { Crew } from "./crew";
 import type { Answer, Calls, Control, Finished, Guide, News, Request } from "./protocol";
 import { Pull } from "./pull";
 import { sheetOf } from "./sheet";
@@ -11,6 +12,7 @@ import type { Ears, Handlers, TaskEngine } from "./task-engine";
 const CRASHED = "The engine stopped unexpectedly. What you gave it is still here; please try again.";
 
 let pull: Pull | null = null;
+const crew = new Crew();
 let engines: readonly TaskEngine[] = [];
 
 const handlers: Handlers = {
@@ -64,7 +66,7 @@ async function guidance(): Promise<typeof import("../guidance/service")> {
 async function run({ task, work, settings, from, first, guide }: Calls["run"]["arguments"]): Promise<Finished> {
   if (pull) throw new Error("A run is under way already; stop it first.");
   // Made before the core is loaded: it hears a stop that comes meanwhile.
-  const mine = (pull = new Pull(tell));
+  const mine = (pull = new Pull(tell, crew));
   try {
     const checkpoint = from && new Uint8Array(await from.arrayBuffer());
     const ears = {
@@ -72,6 +74,10 @@ async function run({ task, work, settings, from, first, guide }: Calls["run"]["a
       note: (words: string) => tell({ news: "note", words }),
     };
     const engine = engines.find((engine) => engine.task === task)!;
+    const core = await loaded();
+    // They get ready while the first wire is laid; a graphics card has no use for them.
+    if (core.card() && settings["backend"] !== "cpu") crew.dismiss();
+    else crew.call(core.module());
     const session = await engine.start(work, settings, checkpoint, ears);
     try {
       tell({ news: "targets", targets: session.targets() });

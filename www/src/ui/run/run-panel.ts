@@ -6,7 +6,7 @@ import { timeLeft } from "../../state/common/words";
 import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
-import { deviceOf, paceOf } from "../settings/device-words";
+import { deviceOf, paceOf, reasonOf } from "../settings/device-words";
 import type { PageTask } from "../shared/page-task";
 import { barStyle, controls } from "../shared/shared";
 import { runStyle } from "./run-style";
@@ -123,7 +123,7 @@ export class RunPanel extends Part {
     const { place, refusal } = where;
     if (!place) return nothing;
     const name = deviceOf(place);
-    return html`<span class="device" data-backend=${place.backend} title="${name}. ${refusal || place.why}">${phase === "idle" ? `Will use: ${name}` : name}</span>`;
+    return html`<span class="device" data-backend=${place.backend} title="${name}. ${refusal || reasonOf(place)}">${phase === "idle" ? `Will use: ${name}` : name}</span>`;
   }
 
   /** It comes to lie where Run was: the second click of two is still meant for that. */

@@ -1,10 +1,16 @@
 import { expect, it } from "vitest";
-import { deviceOf, paceOf } from "./device-words";
+import { deviceOf, paceOf, reasonOf } from "./device-words";
 
 it("names a graphics card, and no processor twice", () => {
   expect(deviceOf({ backend: "gpu", device: "Apple M2", why: "" })).toBe("Graphics card · Apple M2");
   expect(deviceOf({ backend: "gpu", device: "", why: "" })).toBe("Graphics card");
   expect(deviceOf({ backend: "cpu", device: "processor", why: "" })).toBe("Processor");
+});
+
+it("says how many cores are at work, where that is more than one", () => {
+  const why = "The processor does the work.";
+  expect(reasonOf({ backend: "cpu", device: "processor", why })).toBe(why);
+  expect(reasonOf({ backend: "cpu", device: "processor", why, workers: 2 })).toBe(`${why} It uses 2 of its cores.`);
 });
 
 it("counts steps as exactly as one can read them", () => {

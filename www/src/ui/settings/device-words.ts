@@ -10,6 +10,11 @@ export function deviceOf({ backend, device }: Place): string {
   return device && device.toLowerCase() !== kind.toLowerCase() ? `${kind} · ${device}` : kind;
 }
 
+/** "The processor does the work, as the settings ask. It uses 2 of its cores." */
+export function reasonOf({ why, workers = 1 }: Place): string {
+  return workers > 1 ? `${why} It uses ${workers} of its cores.` : why;
+}
+
 /** "840 steps a second". */
 export function paceOf(iterationsPerSecond: number): string {
   const rounded = iterationsPerSecond < 10 ? iterationsPerSecond.toFixed(1) : count(Math.round(iterationsPerSecond));

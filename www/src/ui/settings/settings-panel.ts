@@ -9,7 +9,7 @@ import { icons } from "../shared/icons";
 import "./setting-control";
 import { GROUPS, WORDS } from "./setting-words";
 import { controls } from "../shared/shared";
-import { deviceOf } from "./device-words";
+import { deviceOf, reasonOf } from "./device-words";
 import { presetOf } from "../../state/settings/values";
 import { rendererWord } from "../../state/address/renderer";
 
@@ -137,7 +137,7 @@ export class SettingsPanel extends Part {
       ${refusal
         ? html`<p class="refusal">${refusal} ${INSTEAD}</p>`
         : place
-          ? html`<p><b>${deviceOf(place)}</b></p><p class="quiet">${place.why}</p>`
+          ? html`<p><b>${deviceOf(place)}</b></p><p class="quiet">${reasonOf(place)}</p>`
           : html`<p class="quiet">Looking for what there is…</p>`}
     </div>`;
   }
