@@ -19,7 +19,7 @@
 pub mod files;
 
 pub use wire4d_core::{
-    Error, Result, error, geometry, mesh, objective, optimize, parallel, raster, rng, segment, view, wire,
+    Error, Result, error, geometry, mesh, objective, optimize, parallel, raster, rng, segment, sorting, view, wire,
 };
 #[cfg(feature = "files")]
 pub use wire4d_model as model;

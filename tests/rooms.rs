@@ -7,6 +7,7 @@ const ORDER: &[&str] = &[
     "error",
     "parallel",
     "rng",
+    "sorting",
     "work",
     "wire",
     "view",

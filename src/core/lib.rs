@@ -30,6 +30,7 @@
 pub mod error;
 pub mod parallel;
 pub mod rng;
+pub mod sorting;
 pub mod work;
 
 pub mod geometry;

@@ -2,6 +2,7 @@
 
 use super::pieces::{Piece, PieceTree};
 use crate::geometry::DisjointSets;
+use crate::sorting::sort_by;
 
 /// Number of components of `parts` (polylines of `[x, y, z, width]`) after joining those whose tubes touch, and the weight
 /// of the minimum spanning tree that joins the components by the nearest points of their centre lines.
@@ -58,7 +59,7 @@ fn join_nearest(tree: &mut PieceTree, groups: &mut DisjointSets, parts: usize) -
         }
         // By length, so that the tree does not depend on which component asked first; loops are refused.
         let mut links: Vec<Link> = links.into_iter().flatten().collect();
-        links.sort_unstable_by(|a, b| a.distance.total_cmp(&b.distance).then(a.ends.cmp(&b.ends)));
+        sort_by(&mut links, |a, b| a.distance.total_cmp(&b.distance).then(a.ends.cmp(&b.ends)));
         let before = groups.count();
         for Link { distance, ends: (a, b) } in links {
             if groups.join(a, b) {

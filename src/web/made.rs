@@ -65,7 +65,7 @@ impl Made {
 impl Made {
     /// Opens what a link carries.
     pub fn from_share_code(code: &str) -> Result<Made, JsError> {
-        Ok(Made::alone(export::open_share_code(code)?))
+        Ok(Made { code: Some(code.to_owned()), ..Made::alone(export::open_share_code(code)?) })
     }
 
     /// Opens a file that carries a wire; `name` is what the person calls it.

@@ -2,6 +2,7 @@
 
 use super::engine::State;
 use super::reinit::Reinit;
+use crate::sorting::sort_by;
 use crate::wire::{LinearMap, Wire};
 use crate::{Error, Result};
 
@@ -142,7 +143,7 @@ impl Refine {
                 (chord >= shortest).then(|| (pull, span.at(0.5)))
             })
             .collect();
-        ranked.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
+        sort_by(&mut ranked, |a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
         let wanted = (self.share * count as f64).round() as usize;
         // A knot adds one control point to a spline, more to the baselines.
         let added_by = |knots: &[f64]| wire.insert_knots(knots).ok();

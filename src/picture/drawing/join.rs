@@ -1,6 +1,7 @@
 //! Lines joined across gaps and junctions where one goes on as the other.
 
 use super::line::{is_closed, length};
+use crate::sorting::sort_by;
 
 /// Rounds of joining; in the first only small gaps close.
 const ROUNDS: usize = 3;
@@ -47,7 +48,7 @@ pub fn joined(mut lines: Vec<Vec<[f32; 2]>>, gap_px: f32) -> Vec<Vec<[f32; 2]>> 
                 pairs.push((far + 8.0 * (1.0 - opposite) + 6.0 * (2.0 - on_a - on_b), a, b));
             }
         }
-        pairs.sort_by(|p, q| p.0.total_cmp(&q.0).then((p.1, p.2).cmp(&(q.1, q.2))));
+        sort_by(&mut pairs, |p, q| p.0.total_cmp(&q.0).then((p.1, p.2).cmp(&(q.1, q.2))));
         let mut partner = vec![None; 2 * lines.len()];
         let slot = |end: End| 2 * end.line + usize::from(end.last);
         let mut any = false;

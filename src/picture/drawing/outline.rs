@@ -2,6 +2,7 @@
 
 use super::line::{length, smooth};
 use crate::picture::Mask;
+use crate::sorting::sort_by;
 
 /// How much pixels' corners are smoothed away, px.
 const SMOOTH: f32 = 3.0;
@@ -27,7 +28,7 @@ pub fn outlines(mask: &Mask) -> Vec<Vec<[f32; 2]>> {
     }
     found.retain(|line| length(line) >= LEAST);
     let mut smoothed: Vec<Vec<[f32; 2]>> = found.iter().map(|line| smooth(line, SMOOTH)).collect();
-    smoothed.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    sort_by(&mut smoothed, |a, b| length(b).total_cmp(&length(a)));
     smoothed
 }
 

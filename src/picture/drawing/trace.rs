@@ -1,6 +1,7 @@
 //! From thin lines of pixels to chains of places, ended at every junction.
 
 use crate::picture::Mask;
+use crate::sorting::sort_by_key;
 
 /// Chains with fewer pixels are dropped.
 const LEAST: usize = 4;
@@ -27,7 +28,7 @@ pub fn chains(mask: &Mask) -> Vec<Vec<[f32; 2]>> {
     let degree: Vec<usize> = on.iter().map(|&i| around(i).filter(|&n| left[n]).count()).collect();
     let mut order: Vec<usize> = (0..on.len()).collect();
     // From ends first, then what is left: rings.
-    order.sort_by_key(|&k| (degree[k], k));
+    sort_by_key(&mut order, |&k| (degree[k], k));
     let mut found = Vec::new();
     for k in order {
         let mut at = on[k];

@@ -6,6 +6,7 @@ use super::super::spread::quantile;
 use super::ground::{Ground, Pixels};
 use super::parts::filled;
 use crate::picture::Ink;
+use crate::sorting::sort_by_key;
 use crate::view::Image;
 use std::cmp::Reverse;
 
@@ -102,7 +103,7 @@ pub fn close_highlights(pixels: &Pixels, mask: &mut Image) {
     let small = |size: usize| size as f64 <= LARGEST_HIGHLIGHT_HOLE * inside.len() as f64;
     let mut labels: Vec<u32> =
         (1..).zip(&parts.sizes).filter(|(_, size)| small(**size)).map(|(label, _)| label).collect();
-    labels.sort_unstable_by_key(|&label| (Reverse(parts.sizes[label as usize - 1]), label));
+    sort_by_key(&mut labels, |&label| (Reverse(parts.sizes[label as usize - 1]), label));
     for label in labels.into_iter().take(MOST_HIGHLIGHT_HOLES) {
         let hole = Mask { data: parts.labels.iter().map(|&part| part == label).collect(), ..solid };
         let away = hole.distance_px().data;

@@ -2,6 +2,7 @@
 
 use super::super::{Components, Mask};
 use crate::picture::Ink;
+use crate::sorting::sort_by_key;
 use crate::view::Image;
 use crate::{Error, Result};
 
@@ -119,7 +120,7 @@ fn parts(solid: &Mask, groups: &Components) -> Parts {
         inked[label as usize - 1] += 1;
     }
     let mut order: Vec<usize> = (0..inked.len()).collect();
-    order.sort_unstable_by_key(|&k| (std::cmp::Reverse(inked[k]), k));
+    sort_by_key(&mut order, |&k| (std::cmp::Reverse(inked[k]), k));
     let least = WORTH_CHOOSING * inked[order[0]] as f64;
     order.retain(|&k| inked[k] as f64 >= least);
     let mut rank = vec![0u32; inked.len()];

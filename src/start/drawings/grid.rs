@@ -1,6 +1,7 @@
 //! The voxel grid over the object's box, and which picture pixel each voxel lands on in each view.
 
 use crate::error::{Error, Result};
+use crate::sorting::sort_by;
 use crate::view::{Projection, Target, View};
 use glam::DVec3;
 
@@ -109,7 +110,7 @@ impl Grid {
                 }
             }
         }
-        offsets.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        sort_by(&mut offsets, |a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         offsets
     }
 

@@ -3,6 +3,7 @@
 
 use super::grid::Grid;
 use crate::geometry::DisjointSets;
+use crate::sorting::sort_by;
 use std::collections::HashMap;
 
 /// No vertex, edge or end.
@@ -142,7 +143,7 @@ impl Pairing {
             for (i, &a) in ends.iter().enumerate() {
                 pairs.extend(ends[..i].iter().map(|&b| (pairing.bend(a, b), a, b)));
             }
-            pairs.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+            sort_by(&mut pairs, |x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
             for &(_, a, b) in &pairs {
                 if pairing.partner[a as usize] == NONE && pairing.partner[b as usize] == NONE {
                     pairing.partner[a as usize] = b;

@@ -6,6 +6,7 @@ use super::hull::nothing_shared;
 use super::plane::Plane;
 use super::shortest::{NO_PARENT, Shortest};
 use crate::error::{Error, Result};
+use crate::sorting::sort_by;
 use crate::view::Target;
 
 /// Prices of the tree, per voxel step on a grid of [`TreeOptions::REFERENCE_ACROSS`] (finer grids scale themselves).
@@ -403,7 +404,7 @@ impl Growth<'_> {
             }
         }
         ends.retain(|end| end.0 > least_net);
-        ends.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut ends, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut added = 0;
         for (promised, end) in ends {
             let path: Vec<u32> = shortest.path_back(end).collect();

@@ -1,6 +1,7 @@
 //! A surface's vertices merged in pairs, again and again: what is smooth on a coarse level starts the finer one.
 
 use super::refined::RefinedMesh;
+use crate::sorting::sort_by;
 use glam::DVec3;
 
 /// Vertices whose normals are this far apart (cosine) are not merged.
@@ -53,7 +54,7 @@ impl Level {
                 }
             }
         }
-        wishes.sort_unstable_by(|x, y| y.0.total_cmp(&x.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+        sort_by(&mut wishes, |x, y| y.0.total_cmp(&x.0).then((x.1, x.2).cmp(&(y.1, y.2))));
         const FREE: u32 = u32::MAX;
         let mut parents = vec![FREE; count];
         let (mut points, mut normals, mut sizes) = (Vec::new(), Vec::new(), Vec::new());

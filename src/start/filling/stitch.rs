@@ -4,6 +4,7 @@
 use super::refined::RefinedMesh;
 use super::strand::{Grid, Node, SAME_SIDE, Strand, Strands};
 use crate::geometry::DisjointSets;
+use crate::sorting::sort_by;
 
 /// How far a place for a join reaches for the other line, in spacings, at first and when nothing else is left.
 const REACH: [f64; 4] = [1.5, 1.5, 2.0, 3.0];
@@ -106,7 +107,7 @@ impl Stitching {
                 }
             }
         }
-        places.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut places, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         places.into_iter().map(|place| place.1).collect()
     }
 

@@ -7,6 +7,7 @@ use super::remedies::{Trials, remedies};
 use crate::Result;
 use crate::metrics::soft_iou;
 use crate::settings::{Bend, OnOff, Settings};
+use crate::sorting::sort_by_key;
 use crate::start::{self, BendOptions, REPORT_ACROSS, Sharing, coverable, mean_share};
 use crate::tasks::Placed;
 use crate::view::Image;
@@ -85,7 +86,7 @@ pub fn preview(drawings: &[Drawing], settings: &Settings) -> Result<Preview> {
         (now, Vec::new())
     };
     let mut order: Vec<usize> = (0..drawings.len()).collect();
-    order.sort_unstable_by_key(|&view| plan.arrangement.placements[view].source);
+    sort_by_key(&mut order, |&view| plan.arrangement.placements[view].source);
     Ok(Preview {
         drawings: order.into_iter().map(|view| seen_in(&plan, view, drawings)).collect(),
         coverable: now,

@@ -7,6 +7,7 @@ use super::super::tree::Tree;
 use super::CircuitOptions;
 use super::matching::cheapest_pairs;
 use crate::parallel;
+use crate::sorting::sort_by;
 use std::collections::HashMap;
 
 /// Other odd places each search looks for: the one a place is paired with is nearly always among the nearest few.
@@ -137,7 +138,7 @@ fn paired(ways: &[Vec<Way>]) -> Vec<[usize; 2]> {
     if count > MOST_EXACT {
         let mut nearest: Vec<(f32, usize, usize)> =
             ways.iter().enumerate().flat_map(|(a, ways)| ways.iter().map(move |way| (way.cost, a, way.to))).collect();
-        nearest.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+        sort_by(&mut nearest, |x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
         for (_, a, b) in nearest {
             if count > MOST_EXACT && left[a] && left[b] {
                 pairs.push([a, b]);

@@ -5,6 +5,7 @@ use super::super::pairing::Graph;
 #[cfg(test)]
 use super::super::plane::Plane;
 use super::super::tree::Tree;
+use crate::sorting::sort_by_key;
 
 /// No edge.
 const NONE: u32 = u32::MAX;
@@ -130,7 +131,7 @@ pub fn pruned(grid: &Grid, tree: &Tree, slack_px: f32) -> Vec<[u32; 2]> {
             }
             branches.push([&[end], &branch[..]].concat());
         }
-        branches.sort_unstable_by_key(|branch| (branch.len(), branch[0]));
+        sort_by_key(&mut branches, |branch| (branch.len(), branch[0]));
         let before = kept.iter().filter(|kept| **kept).count();
         let mut left = before;
         for branch in branches {

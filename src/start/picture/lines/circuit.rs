@@ -2,6 +2,7 @@
 //! between places where an odd number of them meet.
 
 use crate::geometry::DisjointSets;
+use crate::sorting::sort_by;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -75,7 +76,7 @@ impl<'a> Graph<'a> {
             })
             .collect();
         let through = |k: usize| self.edges[k].iter().map(|&node| price[node]).sum::<f64>() + self.lengths[k];
-        bridges.sort_unstable_by(|&a, &b| through(a).total_cmp(&through(b)).then(a.cmp(&b)));
+        sort_by(&mut bridges, |&a, &b| through(a).total_cmp(&through(b)).then(a.cmp(&b)));
         let mut regions = DisjointSets::new(odd.len());
         let mut tree: Vec<Vec<(usize, usize)>> = vec![Vec::new(); odd.len()];
         for k in bridges {
