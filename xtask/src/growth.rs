@@ -18,7 +18,7 @@ pub fn run(_: &[String]) -> Result {
     let module = wasm::growth()?;
     let wasi = "const [module] = process.argv.slice(1); \
         const wasi = new (require('wasi').WASI)({ version: 'preview1' }); \
-        WebAssembly.instantiate(require('fs').readFileSync(module), wasi.getImportObject()).then(({ instance }) => wasi.start(instance));";
+        WebAssembly.instantiate(require('fs').readFileSync(module), wasi.getImportObject()).then(({ instance }) => process.reallyExit(wasi.start(instance)));";
     let web = rows(shell::command("node").args(["--no-warnings", "--eval", wasi, "--"]).arg(module))?;
     println!(
         "| what grows | to | native, ms an iteration | exponent | wasm, ms | exponent |\n|---|---|---|---|---|---|"
@@ -37,7 +37,11 @@ pub fn run(_: &[String]) -> Result {
 }
 
 fn rows(program: &mut std::process::Command) -> Result<Vec<Row>> {
-    let printed = shell::output(program).ok_or("the measuring program failed; run it by itself to see why")?;
+    let output = program.stderr(std::process::Stdio::inherit()).output()?;
+    if !output.status.success() {
+        return Err(format!("the measuring program failed ({})", output.status).into());
+    }
+    let printed = String::from_utf8_lossy(&output.stdout);
     let row = |line: &str| {
         let mut parts = line.split('\t');
         let name = parts.next()?.to_owned();
