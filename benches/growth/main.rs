@@ -2,11 +2,12 @@
 //! runs it natively and as wasm: a crate of its own, since what the tests depend on knows no wasm.
 
 use std::time::Instant;
-use wire4d_core::optimize::{Problem, RasterKind, Recipe, Session, Smooth, Stage};
-use wire4d_core::raster::{ExactRaster, Raster};
-use wire4d_core::rng::Rng;
-use wire4d_core::view::{Image, Target, View};
-use wire4d_core::wire::Wire;
+use wire4d::optimize::{Problem, RasterKind, Recipe, Session, Smooth, Stage};
+use wire4d::view::{Target, View};
+use wire4d::wire::Wire;
+
+#[path = "../../tests/support/optimize_common/mod.rs"]
+mod common;
 
 /// Pixels a side, views, control points.
 type Case = [usize; 3];
@@ -41,11 +42,11 @@ fn least_ms([size_px, views, points]: Case) -> f64 {
     let looks = (0..views).map(|i| {
         View::orthographic(&format!("view {i}"), std::f64::consts::PI * i as f64 / views as f64, 0.3, 2.2, size_px)
     });
-    let targets = looks.map(|view| Target { ink: drawn(&curve, &view), view }).collect();
+    let targets = looks.map(|view| Target { ink: common::draw(&curve, &view), view }).collect();
     let iterations = (ROUNDS + 1) * ITERATIONS;
     let stage = Stage { iterations, size_px, raster: RasterKind::Exact, samples_per_span: 3, restarts: vec![] };
     let recipe = Recipe { stages: vec![stage], smooth: Some(Smooth::default()), ..Recipe::best() };
-    let problem = Problem::for_drawings(shaken(truth), targets, recipe);
+    let problem = Problem::for_drawings(common::perturbed(&truth, 0.01, 8), targets, recipe);
     let mut session = Session::new(problem).expect("a valid problem");
     session.step(ITERATIONS);
     let mut least = f64::INFINITY;
@@ -66,31 +67,4 @@ fn rings() -> Wire {
         [radius * turn.cos(), height, radius * turn.sin(), 0.03]
     });
     Wire::open_uniform(points.collect()).expect("a wire")
-}
-
-/// Its control points a little beside where they were.
-fn shaken(mut wire: Wire) -> Wire {
-    let mut rng = Rng::new(8, 1);
-    let points: Vec<[f64; 4]> = wire
-        .control_points()
-        .iter()
-        .map(|&[x, y, z, width]| {
-            let [dx, dy, dz] = rng.in_ball(0.01);
-            [x + dx, y + dy, z + dz, width]
-        })
-        .collect();
-    wire.set_control_points(&points).expect("finite points");
-    wire
-}
-
-/// The wire as a view shows it.
-fn drawn(wire: &Wire, view: &View) -> Image {
-    let (map, strokes) = wire.sampling_map::<f32>(16, true);
-    let points: Vec<[f32; 4]> = wire.control_points().iter().map(|point| point.map(|c| c as f32)).collect();
-    let mut samples = Vec::new();
-    map.apply(&points, &mut samples);
-    let camera = view.camera::<f32>();
-    let vertices: Vec<_> = samples.iter().map(|sample| camera.project(sample)).collect();
-    let data = ExactRaster::new().forward(view.width_px, view.height_px, &vertices, &strokes).to_vec();
-    Image { width: view.width_px, height: view.height_px, data }
 }
