@@ -1,7 +1,7 @@
 /** What people can do with the document and its runs. */
 
 import { remember } from "../common/remember";
-import type { StudioState, WhenHidden } from "../contract/state";
+import type { StudioState, Tool, WhenHidden } from "../contract/state";
 import type { Action } from "./action";
 
 const isIdle = ({ phase }: StudioState): boolean => phase === "idle";
@@ -83,3 +83,5 @@ export const setWhenHidden: Action<[choice: WhenHidden]> = {
     store.set({ whenHidden: choice });
   },
 };
+
+export const useTool: Action<[tool: Tool | null]> = { id: "use-tool", label: "Tool", act: ({ bench: { store } }, tool) => store.set({ tool }) };

@@ -86,6 +86,10 @@ export const ANYWHERE: Whereabouts = { asked: "auto", byAddress: false, place: n
 export const WHEN_HIDDEN = ["go", "pause"] as const;
 export type WhenHidden = (typeof WHEN_HIDDEN)[number];
 
+/** What may lie open beside the stage: the optimiser as it works, and the wire to be taken in hand. */
+export const TOOLS = ["glass", "hands"] as const;
+export type Tool = (typeof TOOLS)[number];
+
 /** A wire that the stage shows ahead of the document. */
 export interface Ahead {
   readonly task: string;
@@ -113,6 +117,8 @@ export interface BaseState extends ProjectState {
   readonly unfinished: { readonly task: string; readonly iteration: number; readonly iterations: number } | null;
   readonly where: Whereabouts;
   readonly whenHidden: WhenHidden;
+  /** Null while none is open. */
+  readonly tool: Tool | null;
   readonly problem: string;
   /** What a person should know though nothing is wrong, until they close it. */
   readonly notices: readonly string[];
@@ -151,6 +157,7 @@ export function firstState(tasks: readonly TaskState[]): BaseState {
     unfinished: null,
     where: ANYWHERE,
     whenHidden: WHEN_HIDDEN.find((choice) => choice === remembered("hidden")) ?? "go",
+    tool: null,
     problem: "",
     notices: [],
     said: "",
