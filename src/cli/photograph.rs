@@ -50,7 +50,7 @@ pub fn command() -> Command {
                 .long("passes")
                 .value_name("N")
                 .value_parser(value_parser!(u32).range(1..=65_536))
-                .default_value("64")
+                .default_value("48")
                 .help("Samples of each pixel: four times as many are half the noise"),
         )
         .arg(
