@@ -13,14 +13,9 @@ export async function keepOffline(hears: Hears): Promise<void> {
   const { serviceWorker, locks } = navigator as Partial<Pick<Navigator, "serviceWorker" | "locks">>;
   if (!serviceWorker || !locks) return;
   const isFirst = !serviceWorker.controller;
-  let registration: ServiceWorkerRegistration;
-  try {
-    registration = await serviceWorker.register("./offline.js", { updateViaCache: "none" });
-  } catch (error) {
-    // In private windows and behind some policies: the page works all the same.
-    console.info(error);
-    return;
-  }
+  // Refused in private windows and by some policies, and made a thing of nothing by what blocks it: the page works all the same.
+  const registration = await serviceWorker.register("./offline.js", { updateViaCache: "none" }).catch(() => undefined);
+  if (!registration) return;
   let isAsked = false;
   const load = (): void => {
     isAsked = true;
