@@ -20,12 +20,14 @@ const ROOMS: readonly string[] = [
   "state/common",
   "state/picture",
   "state/keeping",
+  "state/lesson",
   "state/contract",
   "state/carrying",
   "state/settings",
   "state/address",
   "state/run",
   "state/opening",
+  "state/teaching",
   "state/saving",
   "state/actions",
   "state",
@@ -37,11 +39,13 @@ const ROOMS: readonly string[] = [
   "ui/stage",
   "ui/run",
   "ui/save",
+  "ui/lesson",
   "ui/app",
   "tasks",
   "embed",
   "docs",
   "gallery",
+  "teachers",
 ];
 /** What a task's folder may know of elements: what the page wants of a task. */
 const PAGE_TASK = "ui/shared/page-task";

@@ -2,11 +2,13 @@
 
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Place, SettingsTable, SettingsTables, Target, View } from "../../engine/protocol";
+import { NO_LOCKS, type Locks } from "../common/locks";
 import { remembered } from "../common/remember";
 import type { Store } from "../common/store";
 import { deskOf, type Made } from "../keeping/document";
 import type { ProjectState } from "../keeping/project";
 import type { Track } from "../keeping/track";
+import type { LessonState } from "../lesson/lesson";
 
 /** What of a task the state follows from. */
 export interface TaskState<Given = unknown, Passing extends object = object> {
@@ -119,6 +121,10 @@ export interface BaseState extends ProjectState {
   readonly whenHidden: WhenHidden;
   /** Null while none is open. */
   readonly tool: Tool | null;
+  /** Null outside of lessons. */
+  readonly lesson: LessonState | null;
+  /** What the lesson, or a link for a class, keeps from being used. */
+  readonly locks: Locks;
   readonly problem: string;
   /** What a person should know though nothing is wrong, until they close it. */
   readonly notices: readonly string[];
@@ -158,6 +164,8 @@ export function firstState(tasks: readonly TaskState[]): BaseState {
     where: ANYWHERE,
     whenHidden: WHEN_HIDDEN.find((choice) => choice === remembered("hidden")) ?? "go",
     tool: null,
+    lesson: null,
+    locks: NO_LOCKS,
     problem: "",
     notices: [],
     said: "",

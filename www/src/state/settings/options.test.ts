@@ -30,7 +30,7 @@ let options: Options;
 beforeEach(() => {
   doc = { task: "multiview", given: {}, desks: {} };
   labels = [];
-  const store = new Store<StudioState>({ doc, tables: null } as unknown as StudioState);
+  const store = new Store<StudioState>({ doc, tables: null, locks: { lock: [], hide: [] } } as unknown as StudioState);
   const change = (changed: Partial<Doc>): void => {
     doc = { ...doc, ...changed };
     store.set({ doc });

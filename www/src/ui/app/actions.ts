@@ -18,6 +18,7 @@ const look = (view: ViewName, key: string, help: string): PageAction => ({ id: `
 
 export const share: PageAction = {
   id: "share",
+  part: "share",
   label: "Share",
   keys: ["S"],
   help: "Share the wire",

@@ -71,6 +71,20 @@ export const layout = css`
     grid-area: right;
     border-inline-start: 1px solid var(--line);
   }
+  #part-lesson {
+    padding: 16px 24px;
+    border-block-end: 1px solid var(--line);
+  }
+  :host([lesson]) {
+    grid-template-columns: 344px minmax(0, 1fr) auto;
+  }
+  :host([lesson]) .right {
+    width: 312px;
+  }
+  /* Locked, and to be seen as such. */
+  [inert] {
+    opacity: 0.6;
+  }
   #part-pictures {
     display: grid;
     gap: 16px;
@@ -96,7 +110,13 @@ export const layout = css`
     :host {
       grid-template-columns: 208px minmax(0, 1fr) 272px;
     }
-    #part-pictures {
+    :host([lesson]) {
+      grid-template-columns: 304px minmax(0, 1fr) auto;
+    }
+    :host([lesson]) .right {
+      width: 272px;
+    }
+    :is(#part-pictures, #part-lesson) {
       padding: 16px;
     }
     run-panel {
@@ -110,6 +130,10 @@ export const layout = css`
     :host {
       grid-template: 48px minmax(0, 46fr) auto minmax(0, 40fr) auto / minmax(0, 1fr);
       grid-template-areas: "head" "stage" "run" "sheet" "tabs";
+    }
+    :host([lesson]) {
+      grid-template-rows: 48px minmax(0, 36fr) auto minmax(0, 50fr) auto;
+      grid-template-columns: minmax(0, 1fr);
     }
     .left,
     .right {
@@ -131,6 +155,7 @@ export const layout = css`
       border: 0;
     }
     :host .right section,
+    #part-lesson,
     #part-pictures {
       grid-area: sheet;
       min-height: 0;
@@ -185,6 +210,7 @@ export const layout = css`
       padding-block-end: 8px;
     }
     :host .right section,
+    #part-lesson,
     #part-pictures {
       order: 3;
       flex: 1 0 auto;
@@ -205,10 +231,15 @@ export const layout = css`
       height: 100%;
       overflow: hidden;
     }
+    :host([lesson]) {
+      grid-template-rows: 44px auto minmax(0, 1fr) auto;
+      grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+    }
     wire-stage {
       height: auto;
     }
     :host .right section,
+    #part-lesson,
     #part-pictures {
       overflow: auto;
     }
@@ -218,6 +249,7 @@ export const layout = css`
   }
   @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
     #part-pictures.one,
+    #part-lesson,
     #part-settings,
     #part-share {
       width: 100%;

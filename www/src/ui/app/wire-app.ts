@@ -2,6 +2,7 @@ import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "#sculpture/scene/looks";
 import type { Faults } from "../../engine/protocol";
+import { isHidden, isLocked, type Part as PagePart } from "../../state/common/locks";
 import { nextTurn } from "../../state/common/next-turn";
 import { remember, remembered } from "../../state/common/remember";
 import { explain } from "../../state/common/words";
@@ -22,8 +23,11 @@ import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
 import { loadParts, rendered } from "./parts";
 import { actionOf, isTaken } from "./shortcuts";
-import { tabs, tabsStyle, type Tab } from "./tabs";
+import { LESSON_TAB, TABS, tabs, tabsStyle, type Tab } from "./tabs";
 import "./top-bar";
+
+/** What stands in the right column. */
+const RIGHT: readonly PagePart[] = ["run", "result", "save", "settings"];
 
 interface LookChange {
   readonly look: LookName;
@@ -68,21 +72,24 @@ export class WireApp extends LitElement {
     const { studio, now, look, tasks, task } = this;
     const idle = now.phase === "idle";
     const { page } = task;
+    const resting = !idle && !now.lesson;
     const parts = this.parts[task.name] ?? null;
     const ofTask = this.page;
     const { panel } = page;
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} .tasks=${tasks} .act=${this.act}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
-        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : `${panel}, at rest during a run`}>
+        <div class="left" tabindex=${resting ? 0 : nothing} role=${resting ? "group" : nothing} aria-label=${resting ? `${panel}, at rest during a run` : nothing}>
+          ${now.lesson ? this.lesson() : nothing}
           <section
             id="part-pictures"
             class=${task.takes.pictures > 1 ? "" : "one"}
             role=${this.panel()}
             aria-label=${panel}
-            ?hidden=${this.folded("pictures")}
+            ?inert=${isLocked(now, "pads")}
+            ?hidden=${this.folded("pictures") || isHidden(now, "pads")}
           >
-            ${parts?.pads(ofTask) ?? nothing} ${this.narrow.matches ? html`<a class="gallery" href="./gallery.html">Gallery</a>` : nothing}
+            ${parts?.pads(ofTask) ?? nothing} ${this.narrow.matches ? this.links() : nothing}
           </section>
         </div>
         <wire-stage
@@ -99,18 +106,18 @@ export class WireApp extends LitElement {
         ${this.narrow.matches ? nothing : this.timeLine()}
         ${parts?.editor?.(ofTask) ?? nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
-        <div class="right">
-          <run-panel .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
-          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom} @mark=${this.mark}>
+        <div class="right" ?hidden=${RIGHT.every((part) => isHidden(now, part))}>
+          <run-panel ?inert=${isLocked(now, "run")} ?hidden=${isHidden(now, "run") || (this.narrow.matches && this.tab === LESSON_TAB)} .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
+          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?inert=${isLocked(now, "result")} ?hidden=${this.folded("run") || isHidden(now, "result")} @look-from=${this.lookFrom} @mark=${this.mark}>
             ${this.narrow.matches ? this.timeLine() : nothing}
             ${parts?.choices(ofTask) ?? nothing}
             <result-panel .task=${task} .parts=${parts} .state=${now}></result-panel>
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
-          <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
+          <section id="part-share" role=${this.panel()} aria-label="Save and share" ?inert=${isLocked(now, "save")} ?hidden=${this.folded("share") || isHidden(now, "save")}>
             <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()}></save-panel>
           </section>
-          <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
+          <section id="part-settings" role=${this.panel()} aria-label="Settings" ?inert=${isLocked(now, "settings")} ?hidden=${this.folded("settings") || isHidden(now, "settings")}>
             <settings-panel
               .studio=${studio}
               .table=${tableOf(now)}
@@ -118,16 +125,18 @@ export class WireApp extends LitElement {
               .elsewhere=${task.elsewhere}
               .where=${now.where}
               .whenHidden=${now.whenHidden}
+              .locks=${now.locks}
               ?locked=${!idle}
             >
               <guide-fold .studio=${studio} .state=${now} ?locked=${!idle}></guide-fold>
               <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
+              <class-fold .studio=${studio} .state=${now}></class-fold>
             </settings-panel>
           </section>
         </div>
-        ${this.narrow.matches ? tabs(this.tab, panel, (tab) => (this.tab = tab)) : nothing}
+        ${this.narrow.matches ? tabs(this.tab, panel, (tab) => (this.tab = tab), this.shownTabs) : nothing}
       </main>
-      <drop-hint ?locked=${!idle} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
+      <drop-hint ?locked=${!idle || isLocked(now, "files")} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region .tasks=${tasks}></live-region>
     `;
   }
@@ -201,8 +210,23 @@ export class WireApp extends LitElement {
     this.ending.abort();
   }
 
+  /** Beside the stage on a desk, a part of the sheet on a phone. */
+  private lesson() {
+    return html`<lesson-panel id="part-lesson" ?kiosk=${this.now.lesson?.kiosk === true} role=${this.panel()} aria-label="The lesson" ?hidden=${this.folded(LESSON_TAB)} .studio=${this.studio} .state=${this.now}></lesson-panel>`;
+  }
+
+  private links() {
+    return html`<a class="gallery" href="./gallery.html" ?hidden=${isHidden(this.now, "gallery")}>Gallery</a>
+      <a class="gallery" href="./teachers.html" ?hidden=${isHidden(this.now, "gallery")}>Lessons</a>`;
+  }
+
+  private get shownTabs(): readonly Tab[] {
+    const parts: Readonly<Record<Tab, PagePart | null>> = { lesson: null, pictures: "pads", run: "result", settings: "settings", share: "save" };
+    return TABS.filter((tab) => (tab === LESSON_TAB ? this.now.lesson !== null : parts[tab] === null || !isHidden(this.now, parts[tab])));
+  }
+
   private timeLine() {
-    return html`<time-line .studio=${this.studio} .state=${this.now}></time-line>`;
+    return html`<time-line ?inert=${isLocked(this.now, "timeline")} ?hidden=${isHidden(this.now, "timeline")} .studio=${this.studio} .state=${this.now}></time-line>`;
   }
 
   private panel() {
@@ -224,8 +248,20 @@ export class WireApp extends LitElement {
     }
     if (hasJustMade(before, now)) this.stage.tour();
     if (now.doc.task !== before.doc.task) this.turnTo(now.doc.task);
+    if (now.lesson !== before.lesson) void this.teach(before.lesson, now.lesson);
     if (now.doc !== before.doc && (now.undo !== null || now.doc.task !== before.doc.task)) this.readdress();
     this.retitle();
+  }
+
+  /** A lesson has begun, turned to another step, or ended. */
+  private async teach(before: StudioState["lesson"], now: StudioState["lesson"]): Promise<void> {
+    this.toggleAttribute("lesson", now !== null);
+    this.toggleAttribute("kiosk", now?.kiosk === true);
+    if (!before !== !now) this.tab = now ? LESSON_TAB : "pictures";
+    if (!now || (before?.lesson === now.lesson && before.at === now.at)) return;
+    const view = now.lesson.steps[now.at]!.view;
+    if (view) this.stage.flyTo(view);
+    await import("../lesson/lesson-panel").catch((error: unknown) => this.studio.warn(explain(error, "The lesson")));
   }
 
   private turnTo(task: string): void {
@@ -245,8 +281,9 @@ export class WireApp extends LitElement {
 
   /** Settings show in the address as people change them; a link that is being opened stays there. */
   private readdress(): void {
-    if (this.studio.opener.ahead) return;
-    const hash = this.studio.saver.address(location.hash);
+    if (this.studio.opener.ahead || this.now.lesson) return;
+    const own = this.studio.saver.address(location.hash);
+    const hash = this.studio.lessons?.addressOver(own) ?? own;
     if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname + location.search);
   }
 
@@ -291,6 +328,7 @@ export class WireApp extends LitElement {
   }
 
   private take(data: DataTransfer | null): void {
+    if (isLocked(this.now, "files")) return this.studio.say("Nothing is taken from outside in this lesson.");
     const files = [...(data?.files ?? [])];
     const entries = [...(data?.items ?? [])].map((item) => item.webkitGetAsEntry());
     const folders = entries.flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));

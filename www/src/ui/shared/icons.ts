@@ -42,6 +42,7 @@ import trash from "lucide-static/icons/trash-2.svg?raw";
 import letters from "lucide-static/icons/type.svg?raw";
 import wand from "lucide-static/icons/wand-sparkles.svg?raw";
 import spline from "lucide-static/icons/spline.svg?raw";
+import book from "lucide-static/icons/book-open.svg?raw";
 import folder from "lucide-static/icons/folder-open.svg?raw";
 
 /** Only the shapes of a file go into the page: size and colour are those of `svg.icon` in shared.ts. */
@@ -92,4 +93,5 @@ export const icons = {
   arrange: icon(wand),
   bend: icon(spline),
   open: icon(folder),
+  lesson: icon(book),
 };
