@@ -15,7 +15,7 @@ import { NARROW } from "../shared/narrow";
 import type { Page, PageTask, TaskParts } from "../shared/page-task";
 import { controls } from "../shared/shared";
 import type { WireStage } from "../stage/wire-stage";
-import { help, type PageAction, type PageParts } from "./actions";
+import { help, share, type PageAction, type PageParts } from "./actions";
 import { layout } from "./app-layout";
 import "./drop-hint";
 import "./live-region";
@@ -212,7 +212,7 @@ export class WireApp extends LitElement {
 
   /** Beside the stage on a desk, a part of the sheet on a phone. */
   private lesson() {
-    return html`<lesson-panel id="part-lesson" ?kiosk=${this.now.lesson?.kiosk === true} role=${this.panel()} aria-label="The lesson" ?hidden=${this.folded(LESSON_TAB)} .studio=${this.studio} .state=${this.now}></lesson-panel>`;
+    return html`<lesson-panel id="part-lesson" @share-wire=${() => this.act(share)} ?kiosk=${this.now.lesson?.kiosk === true} role=${this.panel()} aria-label="The lesson" ?hidden=${this.folded(LESSON_TAB)} .studio=${this.studio} .state=${this.now}></lesson-panel>`;
   }
 
   private links() {

@@ -4,7 +4,7 @@ import { customElement, property, query } from "lit/decorators.js";
 import { run, stop } from "../../state/actions/actions";
 import { isLocked } from "../../state/common/locks";
 import { stepOf, type Kind, type LessonState, type Step } from "../../state/lesson/lesson";
-import type { Studio, StudioState } from "../../state/studio";
+import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import { barStyle, controls } from "../shared/shared";
@@ -12,7 +12,7 @@ import { Idle } from "./idle";
 import { lessonPanelStyle } from "./lesson-panel-style";
 import { figuresTable } from "./figures-table";
 
-/** A lesson, a step at a time: what to read, to guess, to try, and what to make of it. */
+/** A lesson, a step at a time: what to read, to guess, to try, and what to make of it. Fires `share-wire` when somebody wants to share theirs. */
 @customElement("lesson-panel")
 export class LessonPanel extends Part {
   @property({ attribute: false }) studio!: Studio;
@@ -89,6 +89,10 @@ export class LessonPanel extends Part {
     return !isLocked(this.state, "leave");
   }
 
+  private get shares(): boolean {
+    return this.state.phase === "idle" && deskOf(this.state.doc).made !== null && !isLocked(this.state, "share");
+  }
+
   private text(key: string): string {
     return this.lesson!.texts[`${stepOf(this.lesson!).id}.${key}`] ?? "";
   }
@@ -123,7 +127,8 @@ export class LessonPanel extends Part {
     const again = html`<button class="plain small" @click=${() => this.studio.lessons?.again()}>${icons.reset} ${msg("Start this step again")}</button>`;
     if (kind === "run" || kind === "make") return html`${this.running()} ${open ? again : nothing}`;
     if (kind === "try") return again;
-    if (kind === "wall") return html`<button class="wide" @click=${this.wall}>${icons.pictures} ${msg("Open the wall")}</button>`;
+    if (kind === "wall") return html`<button class="primary wide" ?disabled=${!this.shares} @click=${() => this.dispatchEvent(new Event("share-wire"))}>${icons.share} ${msg("Share my wire")}</button>
+        <button class="wide" @click=${this.wall}>${icons.pictures} ${msg("Open the wall")}</button>`;
     return nothing;
   }
 
@@ -153,7 +158,7 @@ export class LessonPanel extends Part {
 
   private readonly wall = async (): Promise<void> => {
     const { openWall } = await import("./wire-wall");
-    openWall(this.studio);
+    await openWall();
   };
 
   private readonly leave = (): void => void this.studio.lessons?.leave();
