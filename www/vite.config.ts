@@ -7,7 +7,7 @@ import { openGraph } from "./plugins/open-graph.ts";
 import { policies } from "./plugins/policies.ts";
 
 /** Each a page of its own. */
-const PAGES = ["index.html", "embed.html", "docs.html", "gallery.html"];
+const PAGES = ["index.html", "embed.html", "docs.html", "gallery.html", "teachers.html"];
 
 const ELEMENT = "packages/wire-sculpture";
 

@@ -4,6 +4,7 @@ import { remember, remembered } from "../common/remember";
 import { joined, NO_LOCKS, PARTS, isLocked } from "../common/locks";
 import { DURING_A_RUN, explain } from "../common/words";
 import { Problem } from "../../engine/client";
+import type { SettingValues } from "../../engine/protocol";
 import { readFragment } from "../address/fragment";
 import type { Bench } from "../contract/bench";
 import { firstState, whenIdle, type StudioStore } from "../contract/state";
@@ -37,7 +38,7 @@ const STAYS = "This page is locked for a lesson. To leave it, ask your teacher."
 export class Lessons {
   private asked: Asked = NOTHING_ASKED;
   /** Of the address that brought the lesson. */
-  private settings: Readonly<Record<string, string>> = {};
+  private settings: SettingValues = {};
   /** What people made, by the step that opened it. */
   private docs = new Map<number, Doc>();
   /** The step that opened what lies on the page; -1 before any has. */
@@ -215,6 +216,8 @@ export class Lessons {
     await this.rest();
     const { lesson, at } = now;
     const opening = openedAt(lesson, at);
+    // Whoever comes straight to a step finds what those before it would have set.
+    let since = at;
     if (opening !== this.opened) {
       if (this.opened >= 0) this.docs.set(this.opened, bench.doc);
       this.opened = opening;
@@ -223,9 +226,13 @@ export class Lessons {
         store.set({ ahead: null, lookingBack: null });
         project.setAside(kept ?? this.blank(lesson));
       });
-      if (!kept) await this.lay(lesson, lesson.steps[opening]!.open ?? {});
+      if (!kept) {
+        since = opening;
+        await this.lay(lesson, lesson.steps[opening]!.open ?? {});
+      }
     }
-    const settings = { ...deskOf(bench.doc, lesson.job).settings, ...stepOf(now).settings, ...this.settings };
+    const set = lesson.steps.slice(since, at + 1).map(({ settings }) => settings);
+    const settings: SettingValues = Object.assign({}, deskOf(bench.doc, lesson.job).settings, ...set, this.settings);
     // Anew: no undo goes back into the step before.
     project.setAside({ ...bench.doc, ...withDesk(bench.doc, lesson.job, { settings }) });
   }

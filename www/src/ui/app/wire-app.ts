@@ -106,7 +106,7 @@ export class WireApp extends LitElement {
         ${this.narrow.matches ? nothing : this.timeLine()}
         ${parts?.editor?.(ofTask) ?? nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
-        <div class="right" ?hidden=${RIGHT.every((part) => isHidden(now, part))}>
+        <div class="right" ?hidden=${now.tool === null && RIGHT.every((part) => isHidden(now, part))}>
           <run-panel ?inert=${isLocked(now, "run")} ?hidden=${isHidden(now, "run") || (this.narrow.matches && this.tab === LESSON_TAB)} .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
           <section id="part-run" role=${this.panel()} aria-label="Run and match" ?inert=${isLocked(now, "result")} ?hidden=${this.folded("run") || isHidden(now, "result")} @look-from=${this.lookFrom} @mark=${this.mark}>
             ${this.narrow.matches ? this.timeLine() : nothing}
