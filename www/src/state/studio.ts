@@ -118,6 +118,14 @@ export class Studio implements Parts {
     return !isLocked(state, part ?? id) && (can?.(state) ?? true);
   }
 
+  /** Whether files and links are taken from outside; says so where they are not. */
+  takesFiles(): boolean {
+    const state = this.store.get();
+    const locked = isLocked(state, "files") || isLocked(state, "leave");
+    if (locked) this.warn("This page is locked for a lesson: files and links are not opened here.");
+    return !locked;
+  }
+
   /** Lessons and what a link asks for a class, which come when an address first names them; true where that is all it asks. */
   private async teach(hash: string): Promise<boolean> {
     if (!this.lessons && !namesClass(hash)) return false;
@@ -207,7 +215,8 @@ export class Studio implements Parts {
         const { passing } = store.get();
         store.set({ passing: { ...passing, [name]: { ...passing[name], ...change } } });
       },
-      opens: (file, name) => this.opener.opens(file, name),
+      // A file that carries a wire would take its own job along.
+      opens: async (file, name) => (isLocked(store.get(), "leave") ? false : this.opener.opens(file, name)),
       warn: (problem) => this.warn(problem),
     };
   }

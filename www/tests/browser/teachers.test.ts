@@ -57,7 +57,8 @@ it("prints the code of a class's link, which reads back as that link", async () 
   await page.locator(".sheet .code").waitFor();
   const { data, width, height } = await page.locator(".sheet .code").evaluate(async (svg) => {
     const image = new Image();
-    image.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(svg).replace("<svg", '<svg width="600" height="600"'))}`;
+    const text = new XMLSerializer().serializeToString(svg).replace("<svg", '<svg width="600" height="600"');
+    image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
     await image.decode();
     const context = new OffscreenCanvas(600, 600).getContext("2d")!;
     context.drawImage(image, 0, 0, 600, 600);

@@ -108,6 +108,8 @@ export class Runs {
 
   /** A run that was cut off may go on; null where there is none. */
   offer(track: Track | null): void {
+    // A lesson's runs are not kept: what is offered stays the project's.
+    if (this.bench.store.get().lesson) return;
     this.cutOff = track;
     const { iteration = 0, iterations = 0 } = track?.snapshots.at(-1) ?? {};
     this.bench.store.set({ unfinished: track && { task: track.task, iteration, iterations } });

@@ -7,6 +7,7 @@ import { nextTurn } from "../../state/common/next-turn";
 import { remember, remembered } from "../../state/common/remember";
 import { explain } from "../../state/common/words";
 import { deskOf, tableOf, type Studio, type StudioState } from "../../state/studio";
+import { useTool } from "../../state/actions/actions";
 import type { Heading } from "../../view/heading";
 import type { ResultPanel } from "../run/result-panel";
 import type { WireComparison } from "../run/wire-comparison";
@@ -134,9 +135,9 @@ export class WireApp extends LitElement {
             </settings-panel>
           </section>
         </div>
-        ${this.narrow.matches ? tabs(this.tab, panel, (tab) => (this.tab = tab), this.shownTabs) : nothing}
+        ${this.narrow.matches && this.shownTabs.length > 1 ? tabs(this.tab, panel, (tab) => (this.tab = tab), this.shownTabs) : nothing}
       </main>
-      <drop-hint ?locked=${!idle || isLocked(now, "files")} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
+      <drop-hint ?locked=${!idle || isLocked(now, "files") || isLocked(now, "leave")} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region .tasks=${tasks}></live-region>
     `;
   }
@@ -259,6 +260,8 @@ export class WireApp extends LitElement {
     this.toggleAttribute("kiosk", now?.kiosk === true);
     if (!before !== !now) this.tab = now ? LESSON_TAB : "pictures";
     if (!now || (before?.lesson === now.lesson && before.at === now.at)) return;
+    // In a sheet, what is to be read goes before the tool, which is opened by its own button.
+    if (this.narrow.matches) this.studio.act(useTool, null);
     const view = now.lesson.steps[now.at]!.view;
     if (view) this.stage.flyTo(view);
     await import("../lesson/lesson-panel").catch((error: unknown) => this.studio.warn(explain(error, "The lesson")));
@@ -328,7 +331,7 @@ export class WireApp extends LitElement {
   }
 
   private take(data: DataTransfer | null): void {
-    if (isLocked(this.now, "files")) return this.studio.say("Nothing is taken from outside in this lesson.");
+    if (!this.studio.takesFiles()) return;
     const files = [...(data?.files ?? [])];
     const entries = [...(data?.items ?? [])].map((item) => item.webkitGetAsEntry());
     const folders = entries.flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));

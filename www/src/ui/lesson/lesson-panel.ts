@@ -72,6 +72,8 @@ export class LessonPanel extends Part {
     if (!lesson) return;
     this.style.setProperty("--share", String((lesson.at + 1) / lesson.lesson.steps.length));
     const before = changed.get("state")?.lesson;
+    // Below what was chosen, on a small sheet out of sight.
+    if (before?.at === lesson.at && before.answers !== lesson.answers) this.renderRoot.querySelector(".says")?.scrollIntoView({ block: "nearest" });
     if (before && (before.at !== lesson.at || before.lesson !== lesson.lesson)) this.begin();
     this.idle.look();
   }
@@ -126,7 +128,7 @@ export class LessonPanel extends Part {
   private doing({ kind, open }: Step): TemplateResult | typeof nothing {
     const again = html`<button class="plain small" @click=${() => this.studio.lessons?.again()}>${icons.reset} ${msg("Start this step again")}</button>`;
     if (kind === "run" || kind === "make") return html`${this.running()} ${open ? again : nothing}`;
-    if (kind === "try") return again;
+    if (kind === "try" || (kind === "predict" && open)) return again;
     if (kind === "wall") return html`<button class="primary wide" ?disabled=${!this.shares} @click=${() => this.dispatchEvent(new Event("share-wire"))}>${icons.share} ${msg("Share my wire")}</button>
         <button class="wide" @click=${this.wall}>${icons.pictures} ${msg("Open the wall")}</button>`;
     return nothing;

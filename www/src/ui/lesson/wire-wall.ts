@@ -74,7 +74,7 @@ export class WireWall extends LitElement {
       }
       ul {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(min(260px, 100%), 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(min(300px, 100%), 1fr));
         gap: 16px;
         margin: 0;
         padding: 0;
@@ -170,7 +170,7 @@ export class WireWall extends LitElement {
   private entry({ name, code }: Entry, i: number) {
     const shown = name || msg(str`Wire ${i + 1}`);
     return html`<li>
-      <wire-sculpture code=${code} alt=${msg(str`The wire of ${shown}`)} views camera-controls shadow></wire-sculpture>
+      <wire-sculpture code=${code} alt=${msg(str`The wire of ${shown}`)} views="front side top" camera-controls shadow></wire-sculpture>
       <div class="name">
         <b>${shown}</b>
         <button class="plain square" aria-label=${msg(str`Take down ${shown}`)} @click=${() => this.put(this.entries.filter((other) => other.code !== code))}>${icons.close}</button>
