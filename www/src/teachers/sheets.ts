@@ -44,7 +44,7 @@ export function teachersNote({ lesson, texts, link }: Shown): TemplateResult {
     <p>${texts["teacher.how"]}</p>
     <h2>${msg("Steps")}</h2>
     <ol>
-      ${lesson.steps.map(({ id, question }) => html`<li>${texts[`${id}.title`]}${question ? html`: <i>${texts[`${id}.question`]}</i> ${texts[`${id}.choice.${question.right}`]}.` : nothing}</li>`)}
+      ${lesson.steps.map(({ id, question }) => html`<li>${texts[`${id}.title`]}${question ? html`<br /><i>${texts[`${id}.question`]}</i> → ${texts[`${id}.choice.${question.right}`]}` : nothing}</li>`)}
     </ol>
     <h2>${msg("Answers")}</h2>
     <p>${texts["teacher.answers"]}</p>
