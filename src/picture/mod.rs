@@ -22,7 +22,7 @@ mod write;
 pub use ink::{Because, Ground, MAX_PICTURE_PIXELS, Picture, Polarity, ink};
 pub use kind::is_photograph;
 pub use mask::{Components, Mask, NOWHERE};
-pub use object::{JOINED_WITHIN, OBJECT_PX, Object, ObjectFinder, Outlined, Parts, find_object};
+pub use object::{Attention, JOINED_WITHIN, OBJECT_PX, Object, ObjectFinder, Outlined, Parts, find_object};
 pub use patterns::Pattern;
 pub use photo::{PHOTO_PX, Photo};
 #[cfg(feature = "files")]

@@ -76,7 +76,7 @@ settings! {
     Run /// What computes the fit.
     backend: Backend = Backend::Auto, "", Choice { choices: Backend::WORDS }, EVERY, &[Course];
     Run /// How many steps the fit takes in all.
-    iterations: usize = 1000, "steps", Integer { min: 1, max: 100_000 }, EVERY, &[Course];
+    iterations: usize = 900, "steps", Integer { min: 1, max: 100_000 }, EVERY, &[Course];
     Run /// Side of the square pictures the wire is fitted to.
     size: usize = 256, "px", Integer { min: 32, max: 2048 }, EVERY, &[Pictures];
 
@@ -209,9 +209,9 @@ settings! {
     Expert /// Weight of each coarser level of the loss relative to the finer one, at the start.
     level_weight: f64 = 0.5, "times", Number { min: 0.0, max: 16.0 }, EVERY, &[Course];
     Expert /// Share of the iterations at half size, where each costs a quarter.
-    coarse_share: f64 = 0.5, "of 1", Number { min: 0.0, max: 1.0 }, EVERY, &[Course];
+    coarse_share: f64 = 0.6, "of 1", Number { min: 0.0, max: 1.0 }, EVERY, &[Course];
     Expert /// Exact points on each span of the wire while fitting.
-    samples: usize = 3, "a span", Integer { min: 1, max: 32 }, EVERY, &[Course];
+    samples: usize = 2, "a span", Integer { min: 1, max: 32 }, EVERY, &[Course];
     Expert /// Where re-initialised control points go.
     new_point: NewPoint = NewPoint::Lacking, "", Choice { choices: NewPoint::WORDS }, EVERY, &[Course];
     Expert /// Voxels along each side of the grid in which the first wire grows.

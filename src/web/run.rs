@@ -47,9 +47,9 @@ impl Ears<'_> {
         Ok(plan)
     }
 
-    fn picture(&self, subject: &Subject, settings: &Settings) -> Result<stroke::Plan> {
+    fn picture(&self, subject: &mut Subject, settings: &Settings) -> Result<stroke::Plan> {
         self.tell("Guessing the solid behind the picture…", 0.0);
-        let plan = stroke::plan(subject.given(), settings)?;
+        let plan = subject.plan(settings)?;
         plan.notes().iter().for_each(|words| self.note(words));
         self.tell("Drawing its lines…", 0.5);
         Ok(plan)
@@ -114,7 +114,7 @@ impl Run {
 
     /// Finds the solid behind one picture and lays the first wire on it.
     pub async fn start_stroke(
-        subject: &Subject,
+        subject: &mut Subject,
         settings: &str,
         tell: &js_sys::Function,
         note: &js_sys::Function,
@@ -126,7 +126,7 @@ impl Run {
 
     /// Goes on from a checkpoint of a run of the same picture.
     pub async fn resume_stroke(
-        subject: &Subject,
+        subject: &mut Subject,
         settings: &str,
         checkpoint: &[u8],
         tell: &js_sys::Function,

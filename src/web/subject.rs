@@ -3,10 +3,11 @@
 use crate::json;
 use crate::pictures::Ink;
 use wasm_bindgen::prelude::*;
+use wire4d::Result;
 use wire4d::picture::Picture;
 use wire4d::picture::cut::{SURE, Stroke};
 use wire4d::settings::{Preset, Settings, Task};
-use wire4d::tasks::stroke::{Given, Kept, Sighted, look};
+use wire4d::tasks::stroke::{self, Given, Kept, Plan, Sighted, look};
 use wire4d::view::Image;
 
 /// One picture for a run or to be looked at again and again, and what a person says of it.
@@ -43,12 +44,13 @@ impl Subject {
         strokes.push(stroke);
     }
 
-    /// Forgets the mask, the box and the strokes.
+    /// Forgets what a person says of it: the mask, the box, the strokes and the depth.
     pub fn clear_hints(&mut self) {
         self.given.mask = None;
         self.given.bounds = None;
         self.given.object.clear();
         self.given.ground.clear();
+        self.given.depth = None;
     }
 
     /// How near each pixel is: a picture of the same size, light is near; `measured` from values of 16 bits, it may be
@@ -67,8 +69,8 @@ impl Subject {
 }
 
 impl Subject {
-    pub(crate) fn given(&self) -> &Given {
-        &self.given
+    pub(crate) fn plan(&mut self, settings: &Settings) -> Result<Plan> {
+        stroke::plan_with(&self.given, settings, &mut self.kept)
     }
 }
 

@@ -6,7 +6,7 @@ use wire4d::picture::cut::{SURE, Stroke};
 use wire4d::picture::{Ink, Mask, Picture};
 use wire4d::settings::{Settings, Task};
 use wire4d::tasks::Run;
-use wire4d::tasks::stroke::{Given, Kept, Plan, find, look, plan};
+use wire4d::tasks::stroke::{Given, Kept, Plan, find, look, plan, plan_with};
 use wire4d::view::Image;
 
 fn picture(scene: &Scene) -> Picture {
@@ -148,6 +148,18 @@ fn strokes_on_two_things_take_the_one_they_are_on() {
         let seen = look(&given, &settings(&[]), &mut kept).unwrap();
         let found = find(&given, &settings(&[])).unwrap();
         assert_eq!((seen.outlined.mask, seen.sure), (found.object.mask, found.sure));
+    }
+}
+
+#[test]
+fn a_plan_is_the_same_whatever_was_looked_at_before() {
+    let mut kept = Kept::default();
+    let mug = mug();
+    for shade in ["accent", "full"] {
+        let settings = settings(&[("shade", shade)]);
+        look(&Given::picture(mug.picture.clone()), &settings, &mut kept).unwrap();
+        let [fresh, again] = [plan(&mug, &settings), plan_with(&mug, &settings, &mut kept)].map(Result::unwrap);
+        assert_eq!((&fresh.object, &fresh.targets, fresh.notes()), (&again.object, &again.targets, again.notes()));
     }
 }
 

@@ -165,7 +165,7 @@ fn creases_ask_for_the_solids_outline_from_the_sides() {
         let solid = planned(ball(), &settings).solid;
         let each = made.views[1..].iter().map(|view| {
             let shown = wire4d::sculpture::render(&made.wire, view);
-            let wanted = solid.creases(view, 2.0);
+            let wanted = solid.shown(view).creases(2.0);
             shown.data.iter().zip(&wanted.data).map(|(a, b)| a * b).sum::<f32>()
         });
         each.sum::<f32>()

@@ -61,14 +61,12 @@ fn is_ink(pixels: &Pixels, mask: &Image) -> bool {
     2.0 * deepest <= SLENDER * longer_side(&solid) || shade(0.5) > WHITE && chroma < COLOURLESS
 }
 
-/// See [`super::Object::saliency`].
-pub fn saliency(pixels: &Pixels, mask: &Image) -> Image {
-    let solid = mask.threshold(0.5);
-    let long = f64::from(longer_side(&solid));
+/// See [`super::Attention::saliency`]; `solid` is where the mask is more than half.
+pub fn saliency(pixels: &Pixels, mask: &Image, solid: &Mask) -> Image {
+    let long = f64::from(longer_side(solid));
     let mut contrast = Image::new(pixels.width, pixels.height);
     for share in CENTRES {
-        let [centre, surround] =
-            [share, 3.0 * share].map(|share| [0, 1, 2].map(|c| blurred(pixels, c, &solid, share * long)));
+        let [centre, surround] = [share, 3.0 * share].map(|share| blurred(pixels, [0, 1, 2], solid, share * long));
         for i in 0..contrast.data.len() {
             let squared: f32 = (0..3).map(|c| (centre[c].data[i] - surround[c].data[i]).powi(2)).sum();
             contrast.data[i] += squared.sqrt();
@@ -81,10 +79,9 @@ pub fn saliency(pixels: &Pixels, mask: &Image) -> Image {
     contrast
 }
 
-/// See [`super::Object::highlight`].
-pub fn highlight(pixels: &Pixels, mask: &Image) -> Image {
-    let solid = mask.threshold(0.5);
-    let around = blurred(pixels, 0, &solid, HIGHLIGHT_SURROUND * f64::from(longer_side(&solid)));
+/// See [`super::Attention::highlight`]; `solid` likewise.
+pub fn highlight(pixels: &Pixels, mask: &Image, solid: &Mask) -> Image {
+    let [around] = blurred(pixels, [0], solid, HIGHLIGHT_SURROUND * f64::from(longer_side(solid)));
     let lighter = |i: usize| ((pixels.lab[i][0] - around.data[i]) / CLEAR_HIGHLIGHT).clamp(0.0, 1.0) * mask.data[i];
     Image { width: pixels.width, height: pixels.height, data: (0..pixels.lab.len()).map(lighter).collect() }
 }
@@ -117,14 +114,16 @@ pub fn close_highlights(pixels: &Pixels, mask: &mut Image) {
     }
 }
 
-/// One of the three channels blurred within the object: its ground has no say.
-fn blurred(pixels: &Pixels, channel: usize, solid: &Mask, sigma_px: f64) -> Image {
-    let weight = solid.to_image();
-    let data = pixels.lab.iter().zip(&weight.data).map(|(lab, weight)| lab[channel] * weight).collect();
-    let mut blurred = Image { data, ..weight }.blurred(sigma_px);
-    let weight = solid.to_image().blurred(sigma_px);
-    blurred.data.iter_mut().zip(&weight.data).for_each(|(value, weight)| *value /= weight.max(1e-4));
-    blurred
+/// Some of the three channels blurred within the object: its ground has no say.
+fn blurred<const N: usize>(pixels: &Pixels, channels: [usize; N], solid: &Mask, sigma_px: f64) -> [Image; N] {
+    let inside = solid.to_image();
+    let weight = inside.blurred(sigma_px);
+    channels.map(|channel| {
+        let data = pixels.lab.iter().zip(&inside.data).map(|(lab, inside)| lab[channel] * inside).collect();
+        let mut blurred = Image { data, ..inside }.blurred(sigma_px);
+        blurred.data.iter_mut().zip(&weight.data).for_each(|(value, weight)| *value /= weight.max(1e-4));
+        blurred
+    })
 }
 
 fn longer_side(solid: &Mask) -> f32 {

@@ -26,15 +26,20 @@ pub struct Object {
     /// slender or white) that is how much it stands out from its ground, in whatever colour; else how dark it is in
     /// itself: a yellow ball stays light on any ground.
     pub tone: Image,
+    /// All objects in the picture.
+    pub parts: Parts,
+    /// What makes the finding doubtful, in plain words.
+    pub notes: Vec<String>,
+}
+
+/// What of an object is looked at first; pictures of its size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attention {
     /// How much each pixel catches the eye, 0 to 1: how much its colour differs from what surrounds it in the object, at
     /// several scales (centre and surround; Itti, Koch and Niebur 1998). 0 all over where nothing does.
     pub saliency: Image,
     /// How clearly each pixel is a highlight, 0 to 1: how much lighter it is than what surrounds it in the object.
     pub highlight: Image,
-    /// All objects in the picture.
-    pub parts: Parts,
-    /// What makes the finding doubtful, in plain words.
-    pub notes: Vec<String>,
 }
 
 /// Longest side of the pictures of an object: twice what is fitted.
@@ -51,19 +56,7 @@ const LINE_SHARE: f64 = 0.4;
 /// [`crate::Error::Picture`] if nothing stands out, or what does covers nearly the whole border; [`crate::Error::Setting`] if there are
 /// fewer objects than that.
 pub fn find_object(picture: &Picture, given: Option<&Image>, object: usize) -> Result<Object> {
-    let finder = ObjectFinder::new(picture);
-    let Outlined { mask, parts, notes } = finder.outlined(given, object)?;
-    let pixels = &finder.pixels;
-    let ground = match given {
-        Some(mask) => pixels.ground_under(mask),
-        None if pixels.is_cut_out => pixels.paper(),
-        None => pixels.ground(),
-    };
-    let body = body(&mask);
-    let tone = looks::tone(pixels, &mask, body != mask, &ground);
-    let saliency = looks::saliency(pixels, &mask);
-    let highlight = looks::highlight(pixels, &mask);
-    Ok(Object { mask, body, tone, saliency, highlight, parts, notes })
+    ObjectFinder::new(picture).object(given, object)
 }
 
 /// Where an object is, without how it looks: see [`Object`].
@@ -89,6 +82,32 @@ impl ObjectFinder {
         let factor = picture.width().max(picture.height()).div_ceil(OBJECT_PX);
         let small = if factor > 1 { &picture.averaged(factor) } else { picture };
         ObjectFinder { name: picture.name().to_owned(), pixels: Pixels::new(small) }
+    }
+
+    /// See [`find_object`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn object(&self, given: Option<&Image>, object: usize) -> Result<Object> {
+        let Outlined { mask, parts, notes } = self.outlined(given, object)?;
+        let pixels = &self.pixels;
+        let ground = match given {
+            Some(mask) => pixels.ground_under(mask),
+            None if pixels.is_cut_out => pixels.paper(),
+            None => pixels.ground(),
+        };
+        let body = body(&mask);
+        let tone = looks::tone(pixels, &mask, body != mask, &ground);
+        Ok(Object { mask, body, tone, parts, notes })
+    }
+
+    /// What is looked at first of the object that `mask` says, one of this finder's.
+    pub fn attention(&self, mask: &Image) -> Attention {
+        let solid = mask.threshold(0.5);
+        Attention {
+            saliency: looks::saliency(&self.pixels, mask, &solid),
+            highlight: looks::highlight(&self.pixels, mask, &solid),
+        }
     }
 
     /// Where the object is.
@@ -219,7 +238,8 @@ mod tests {
                 _ if radius(i) < 32.0 => [200, 60, 50, 255],
                 _ => [200, 200, 200, 255],
             };
-            find_object(&picture(pixel), None, 1).unwrap()
+            let finder = ObjectFinder::new(&picture(pixel));
+            finder.attention(&finder.object(None, 1).unwrap().mask)
         };
         for colour in [[60, 20, 20, 255], [120, 120, 40, 255], [255, 240, 235, 255]] {
             let found = face(colour);
@@ -313,8 +333,10 @@ mod tests {
                 _ => (rng.below(2) * 255) as u8,
             });
             let picture = Picture::new("any", width, height, rgba.collect()).unwrap();
-            if let Ok(found) = find_object(&picture, None, 1) {
-                for image in [&found.mask, &found.body, &found.tone, &found.saliency, &found.highlight] {
+            let finder = ObjectFinder::new(&picture);
+            if let Ok(found) = finder.object(None, 1) {
+                let Attention { saliency, highlight } = finder.attention(&found.mask);
+                for image in [&found.mask, &found.body, &found.tone, &saliency, &highlight] {
                     assert_eq!((image.width, image.height), (width, height));
                     assert!(image.data.iter().all(|value| (0.0..=1.0).contains(value)));
                 }

@@ -4,8 +4,7 @@ use super::given::Given;
 use crate::picture::cut::{Cut, Cutter};
 use crate::picture::drawing::{Kind, Line};
 use crate::picture::{
-    Ink, JOINED_WITHIN, Mask, OBJECT_PX, Object, ObjectFinder, Outlined, PHOTO_PX, Photo, Picture, find_object,
-    is_photograph,
+    Ink, JOINED_WITHIN, Mask, OBJECT_PX, Object, ObjectFinder, Outlined, PHOTO_PX, Photo, Picture, is_photograph,
 };
 use crate::settings::{Read, Settings, Shade, Shading};
 use crate::start::Stroke;
@@ -46,6 +45,17 @@ pub struct Kept {
     is_photograph: Option<bool>,
 }
 
+impl Kept {
+    pub(super) fn finder(&mut self, picture: &Picture) -> &ObjectFinder {
+        self.finder.get_or_insert_with(|| ObjectFinder::new(picture))
+    }
+
+    /// At its working size.
+    pub(super) fn photo(&mut self, picture: &Picture) -> &Photo {
+        self.cutter.get_or_insert_with(|| Cutter::new(Photo::of(picture))).photo()
+    }
+}
+
 /// Where an object was seen, without how it looks.
 pub struct Sighted {
     /// Where it is, with what makes that doubtful.
@@ -59,11 +69,15 @@ pub struct Sighted {
 /// # Errors
 /// As [`find_object`], and as [`Cutter::cut`] for photographs and where there is a box or a stroke.
 pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
-    let kept = &mut Kept::default();
+    find_with(given, settings, &mut Kept::default())
+}
+
+/// [`find`] with what is known of the picture.
+pub(super) fn find_with(given: &Given, settings: &Settings, kept: &mut Kept) -> Result<Found> {
     let is_drawn = is_drawn(given, settings, kept);
     let cut = cut(given, settings, kept)?;
     let mask = cut.as_ref().map_or(given.mask.as_ref(), |cut| Some(&cut.mask));
-    let mut object = find_object(&given.picture, mask, settings.object)?;
+    let mut object = kept.finder(&given.picture).object(mask, settings.object)?;
     let Some(Sure { sure, unseen, notes, .. }) = cut else {
         return Ok(Found { object, is_drawn, sure: 1.0, unseen: None });
     };
@@ -77,9 +91,8 @@ pub fn find(given: &Given, settings: &Settings) -> Result<Found> {
 /// As [`find`].
 pub fn look(given: &Given, settings: &Settings, kept: &mut Kept) -> Result<Sighted> {
     let cut = cut(given, settings, kept)?;
-    let finder = kept.finder.get_or_insert_with(|| ObjectFinder::new(&given.picture));
     let mask = cut.as_ref().map_or(given.mask.as_ref(), |cut| Some(&cut.mask));
-    let mut outlined = finder.outlined(mask, settings.object)?;
+    let mut outlined = kept.finder(&given.picture).outlined(mask, settings.object)?;
     let Some(Sure { sure, notes, .. }) = cut else { return Ok(Sighted { outlined, sure: 1.0 }) };
     outlined.notes.splice(0..0, notes);
     Ok(Sighted { outlined, sure })
@@ -182,28 +195,27 @@ fn filling([left, top, right, bottom]: [f64; 4], width: usize, height: usize, li
     Image { data: (0..like.data.len()).map(inside).collect(), ..*like }
 }
 
-/// The lines that a draughtsman would draw of the object of a `picture`, px of its layers: a picture of [`OBJECT_PX`] in which the object
+/// The lines that a draughtsman would draw of the object of a photograph, px of its layers: a picture of [`OBJECT_PX`] in which the object
 /// is laid with `margin_px` around it.
 ///
 /// # Errors
 /// [`Error::Picture`] where nothing can be drawn.
 pub(super) fn strokes(
-    picture: &Picture,
+    photo: &Photo,
     object: &Object,
     unseen: Option<[f64; 4]>,
     margin_px: f64,
     settings: &Settings,
 ) -> Result<Vec<Stroke>> {
-    let photo = Photo::of(picture);
     let lines = match unseen {
-        Some(bounds) => photo::lines_in(&photo, bounds, settings),
-        None => photo::lines(&photo, &object.mask, settings),
+        Some(bounds) => photo::lines_in(photo, bounds, settings),
+        None => photo::lines(photo, &object.mask, settings),
     };
     let Some(part) = object.mask.threshold(0.5).bounding_box().filter(|_| !lines.is_empty()) else {
-        return Err(Error::picture(picture.name(), "has no lines that could be drawn", "use a sharper picture"));
+        return Err(Error::picture(&photo.name, "has no lines that could be drawn", "use a sharper picture"));
     };
     let longer = photo.width.max(photo.height) as f32;
-    let place = Placement::new(&object.mask, &photo, part, margin_px);
+    let place = Placement::new(&object.mask, photo, part, margin_px);
     let stroke = |line: Line| Stroke {
         points: line.points.iter().map(|&point| place.of(point)).collect(),
         width_px: match settings.shade {

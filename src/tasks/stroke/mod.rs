@@ -20,4 +20,4 @@ mod sides;
 
 pub use drawn::{Found, Kept, Sighted, find, look};
 pub use given::Given;
-pub use plan::{Plan, plan};
+pub use plan::{Plan, plan, plan_with};

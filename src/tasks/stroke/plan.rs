@@ -1,11 +1,11 @@
 //! What is decided before a fit: the object, the solid behind it, and the lines that show it.
 
 use super::depth::nearness;
-use super::drawn::{self, Found};
+use super::drawn::{self, Found, Kept};
 use super::given::Given;
 use super::sides::{other_sides, side_views};
 use crate::optimize::{Problem, Refine, Schedule, Seen, TopologyEdit};
-use crate::picture::{Ink, OBJECT_PX, Object, find_object};
+use crate::picture::{Attention, Ink, OBJECT_PX, Object, ObjectFinder, Photo, Picture};
 use crate::settings::{Preset, Read, Settings, Shade, Shading, Start, Task, Width};
 use crate::start::{self, Layers, LineOptions, Lines, Solid, SolidOptions};
 use crate::tasks::recipe::{at_once, recipe};
@@ -53,9 +53,17 @@ const HATCHES: [f64; 2] = [4.0, 96.0];
 /// for one with a box or strokes; [`Error::Picture`] for a depth picture of another size; [`Error::Pictures`] if the
 /// sides contradict each other.
 pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
+    plan_with(given, settings, &mut Kept::default())
+}
+
+/// [`plan`] with what is known of the picture from before, which only saves time.
+///
+/// # Errors
+/// As there.
+pub fn plan_with(given: &Given, settings: &Settings, kept: &mut Kept) -> Result<Plan> {
     Task::Stroke.check(settings)?;
     let name = given.picture.name();
-    let Found { object, is_drawn, sure, unseen } = drawn::find(given, settings)?;
+    let Found { object, is_drawn, sure, unseen } = drawn::find_with(given, settings, kept)?;
     let mut notes = object.notes.clone();
     if is_drawn && settings.read == Read::Auto {
         notes.push(format!("{name}: it is taken for a photograph, so the lines of its object are drawn"));
@@ -63,9 +71,8 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     // Depth belongs to the whole picture, and a box of which all is drawn is looked at as it is.
     let is_closer = is_drawn && given.depth.is_none() && unseen.is_none();
     let closer = is_closer.then(|| photo::closer(&given.picture, &object.mask)).flatten();
-    let near = closer.map(|(picture, mask)| find_object(&picture, Some(&mask), 1).map(|object| (picture, object)));
-    let near = near.transpose()?;
-    let (picture, seen) = near.as_ref().map_or((&given.picture, &object), |(picture, object)| (picture, object));
+    let near = closer.map(|(picture, mask)| Near::new(picture, &mask)).transpose()?;
+    let seen = near.as_ref().map_or(&object, |near| &near.object);
     let Some(part) = seen.mask.threshold(0.5).bounding_box() else {
         return Err(Error::picture(name, "shows no object", "use a picture with a larger object, or paint a mask"));
     };
@@ -90,16 +97,19 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
         solid = solid.with_relief(&lightness, settings.relief);
     }
 
-    let (saliency, highlight) = (laid(&seen.saliency), laid(&seen.highlight));
-    let all_seen = body != mask;
-    let layers = Layers { mask, tone, saliency, highlight, all_seen };
     let lines = if draws_lines {
-        let strokes = drawn::strokes(picture, seen, unseen, margin_px, settings)?;
-        let lines = Lines::of_strokes(&layers, &strokes, &line_options(settings.hatch, settings));
+        let closer = near.as_ref().map(|near| Photo::of(&near.picture));
+        let photo = closer.as_ref().unwrap_or_else(|| kept.photo(&given.picture));
+        let strokes = drawn::strokes(photo, seen, unseen, margin_px, settings)?;
+        let lines = Lines::of_strokes(&mask, &tone, &strokes, &line_options(settings.hatch, settings));
         // A wire of one width has no thin lines.
         let share = if settings.width == Width::Constant { 0.0 } else { settings.sections };
         lines.with_sections(&solid, share)
     } else {
+        let finder = near.as_ref().map_or_else(|| kept.finder(&given.picture), |near| &near.finder);
+        let Attention { saliency, highlight } = finder.attention(&seen.mask);
+        let all_seen = body != mask;
+        let layers = Layers { mask, tone, saliency: laid(&saliency), highlight: laid(&highlight), all_seen };
         lines(&layers, &solid, settings)
     };
     let front = View::orthographic("front", 0.0, 0.0, solid.height_world(), settings.size);
@@ -116,6 +126,20 @@ pub fn plan(given: &Given, settings: &Settings) -> Result<Plan> {
     let names = std::iter::once(&given.picture).chain(given.others.iter().map(|other| &other.0));
     let sources = names.map(|picture| picture.name().to_owned()).collect();
     Ok(Plan { settings: settings.clone(), object, sure, solid, targets, sources, lines, first: None, notes })
+}
+
+/// A small object of a photograph, looked at from nearer.
+struct Near {
+    picture: Picture,
+    finder: ObjectFinder,
+    object: Object,
+}
+
+impl Near {
+    fn new(picture: Picture, mask: &Image) -> Result<Near> {
+        let finder = ObjectFinder::new(&picture);
+        Ok(Near { object: finder.object(Some(mask), 1)?, finder, picture })
+    }
 }
 
 fn line_options(spacing_px: f64, settings: &Settings) -> LineOptions {

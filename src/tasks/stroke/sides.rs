@@ -74,7 +74,8 @@ impl Plan {
     /// solid's outline and creases there, so that strands nearby move onto them.
     fn side_target(&self, view: &View, first: &Wire) -> Target {
         let settings = &self.settings;
-        let mut ink = self.solid.silhouette(view);
+        let shown = self.solid.shown(view);
+        let mut ink = shown.silhouette();
         match settings.start {
             Start::Contour => {
                 let lines = render_sampled(first, view, SIDE_SAMPLES);
@@ -83,7 +84,7 @@ impl Plan {
             _ => ink.data.iter_mut().for_each(|ink| *ink *= SIDE_INK),
         }
         if settings.creases > 0.0 {
-            let creases = self.solid.creases(view, CREASE_PX * view.height_px as f64 / 256.0);
+            let creases = shown.creases(CREASE_PX * view.height_px as f64 / 256.0);
             let wanted = |crease: &f32| settings.creases as f32 * crease;
             ink.data.iter_mut().zip(&creases.data).for_each(|(ink, crease)| *ink = ink.max(wanted(crease)));
         }

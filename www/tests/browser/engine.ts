@@ -74,7 +74,7 @@ async function make({ task, pictures, settings, prelude, script }: Order & { rea
       const context = new OffscreenCanvas(width, height).getContext("2d")!;
       context.drawImage(bitmap, 0, 0);
       const picture = { name: "picture", width, height, rgba: context.getImageData(0, 0, width, height).data };
-      return { picture, mask: null, hints: { box: null, marks: [] }, depth: null };
+      return { key: 1, picture, mask: null, hints: { box: null, marks: [] }, depth: null };
     },
     fill: async () => ({ mesh: { shape: "creature" }, style: null }),
   };

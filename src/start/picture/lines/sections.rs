@@ -195,7 +195,7 @@ fn smoothed(chain: &[Place]) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::start::picture::lines::{Hatching, Layers, LineOptions, Stroke};
+    use crate::start::picture::lines::{Hatching, LineOptions, Stroke};
     use crate::start::{Path, SolidOptions};
     use crate::view::{Image, View};
 
@@ -217,14 +217,6 @@ mod tests {
 
     /// The solid of a silhouette, and the lines drawn of it.
     fn drawn(mask: &Image, strokes: &[Stroke]) -> (Solid, Lines) {
-        let nothing = Image::new(SIDE, SIDE);
-        let layers = Layers {
-            mask: mask.clone(),
-            tone: nothing.clone(),
-            saliency: nothing.clone(),
-            highlight: nothing,
-            all_seen: false,
-        };
         let options = LineOptions {
             hatching: Hatching::Auto,
             spacing_px: 12.0,
@@ -237,7 +229,7 @@ mod tests {
         };
         (
             Solid::inflated("thing", mask, &SolidOptions::default()).unwrap(),
-            Lines::of_strokes(&layers, strokes, &options),
+            Lines::of_strokes(mask, &Image::new(SIDE, SIDE), strokes, &options),
         )
     }
 

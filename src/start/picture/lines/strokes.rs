@@ -1,15 +1,15 @@
 //! Lines that were drawn already, as a draughtsman draws a photograph: taken as they are.
 
-use super::{Layers, LineOptions, Lines};
+use super::{LineOptions, Lines};
 use crate::picture::Mask;
 use crate::view::Image;
 
 /// A drawn line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
-    /// Its corners, px of the [`Layers`].
+    /// Its corners, px of the object's picture.
     pub points: Vec<[f32; 2]>,
-    /// Its width, px of the layers.
+    /// Its width, px likewise.
     pub width_px: f32,
     /// Whether it runs where the object ends.
     pub is_outline: bool,
@@ -26,8 +26,8 @@ const RING_FROM_RIM_PX: f32 = 10.0;
 
 impl Lines {
     /// Lines as they were drawn; the first ones say the most. Outlines are the rim where the solid's front meets its back.
-    pub fn of_strokes(layers: &Layers, strokes: &[Stroke], options: &LineOptions) -> Lines {
-        let mask = &layers.mask;
+    /// `mask` and `tone` as in [`super::Layers`].
+    pub fn of_strokes(mask: &Image, tone: &Image, strokes: &[Stroke], options: &LineOptions) -> Lines {
         let side = mask.width;
         let scale = side as f32 / 256.0;
         let [least, most] = options.width_px.map(|width| 0.5 * width as f32 * scale);
@@ -43,7 +43,7 @@ impl Lines {
             half_width_px: vec![0.0; side * side],
             mask: everywhere,
             object: mask.clone(),
-            shade: layers.tone.clone(),
+            shade: tone.clone(),
         };
         let add = |lines: &mut Lines, points: &[[f32; 2]], width_px: f32| {
             let pixels = pixels(points, side);

@@ -15,18 +15,24 @@ const TURN_PX: f64 = 4.0;
 /// Standard deviation of the blur that hides the grid's stairs, px at 256.
 const BLUR_PX: f64 = 1.5;
 
-impl Solid {
-    /// What a view shows of it: 1 on the solid, 0 beside it, edges soft.
-    pub fn silhouette(&self, view: &View) -> Image {
-        let depth = self.depth_picture(view);
-        let data = depth.data.iter().map(|depth| f32::from(depth.is_finite())).collect();
-        Image { data, ..depth }.resized(view.width_px, view.height_px)
+/// What a view shows of a solid.
+pub struct Shown<'a> {
+    view: &'a View,
+    /// Distance in front of the eye, world units, infinite beside it; [`FINER`] than the view.
+    depth: Image,
+}
+
+impl Shown<'_> {
+    /// 1 on the solid, 0 beside it, edges soft.
+    pub fn silhouette(&self) -> Image {
+        let data = self.depth.data.iter().map(|depth| f32::from(depth.is_finite())).collect();
+        Image { data, ..self.depth }.resized(self.view.width_px, self.view.height_px)
     }
 
-    /// Lines `width_px` wide (of the view's pixels) where a view shows the solid's outline, one part of it before another,
-    /// or its surface turning sharply; 0 to 1.
-    pub fn creases(&self, view: &View, width_px: f64) -> Image {
-        let depth = self.depth_picture(view);
+    /// Lines `width_px` wide (of the view's pixels) along the solid's outline, where one part of it lies before another, and
+    /// where its surface turns sharply; 0 to 1.
+    pub fn creases(&self, width_px: f64) -> Image {
+        let Shown { view, depth } = self;
         let (width, height) = (depth.width, depth.height);
         let on = Mask { width, height, data: depth.data.iter().map(|depth| depth.is_finite()).collect() };
         let known = |i: usize| if on.data[i] { depth.data[i] } else { 0.0 };
@@ -56,8 +62,20 @@ impl Solid {
         let drawn = Image { width, height, data: lines.distance_px().data.iter().map(soft).collect() };
         drawn.resized(view.width_px, view.height_px)
     }
+}
 
-    /// Distance in front of the eye, world units, of what a view shows, infinite beside it; [`FINER`] than the view.
+impl Solid {
+    /// What a view shows of it.
+    pub fn shown<'a>(&self, view: &'a View) -> Shown<'a> {
+        Shown { view, depth: self.depth_picture(view) }
+    }
+
+    /// See [`Shown::silhouette`].
+    pub fn silhouette(&self, view: &View) -> Image {
+        self.shown(view).silhouette()
+    }
+
+    /// See [`Shown`].
     fn depth_picture(&self, view: &View) -> Image {
         let (width, height) = (FINER * view.width_px, FINER * view.height_px);
         let camera = view.with_size(width, height).camera::<f64>();
@@ -80,8 +98,10 @@ impl Solid {
                     clamp((p - radius).ceil())..clamp(p + radius + 1.0)
                 };
                 for row in range(v, height) {
+                    let down = row as f64 + 0.5 - v;
                     for column in range(u, width) {
-                        let near = (row as f64 + 0.5 - v).hypot(column as f64 + 0.5 - u) <= radius;
+                        let across = column as f64 + 0.5 - u;
+                        let near = across * across + down * down <= radius * radius;
                         let cell = &mut shown.data[row * width + column];
                         if near && depth < *cell {
                             *cell = depth;
@@ -127,8 +147,8 @@ mod tests {
 
     /// Ink within `near` px of the solid's outline and the rest inside it.
     fn ink(solid: &Solid, view: &View, near: f32) -> [f32; 2] {
-        let creases = solid.creases(view, 3.0);
-        let silhouette = solid.silhouette(view).threshold(0.5);
+        let shown = solid.shown(view);
+        let (creases, silhouette) = (shown.creases(3.0), shown.silhouette().threshold(0.5));
         let inside = silhouette.inverted().distance_px();
         let mut ink = [0.0; 2];
         creases

@@ -19,6 +19,8 @@ export interface FoundObject {
 
 /** The picture as it goes into a run. */
 export interface StrokeWork {
+  /** Of the picture, as for `find`. */
+  readonly key: number;
   readonly picture: Picture;
   /** What of it is the object, of any size; null lets the app find it. */
   readonly mask: Ink | null;

@@ -18,6 +18,12 @@ export type Pointing = (subject: Subject) => Pick<Subject, "box" | "marks">;
 const keys = new WeakMap<Blob, number>();
 let nextKey = 1;
 
+export function keyOf({ rgba }: KeptPicture): number {
+  const key = keys.get(rgba) ?? nextKey++;
+  keys.set(rgba, key);
+  return key;
+}
+
 export class SubjectTaker implements Taker<Subject | null> {
   /** Strokes are drawn faster than they are cut out: each waits for the one before. */
   private pointed: Promise<void> = Promise.resolve();
@@ -145,8 +151,7 @@ export class SubjectTaker implements Taker<Subject | null> {
   /** What was foreseen of a mark is what it finds. */
   private seek(subject: Subject): Promise<FoundObject> {
     const { picture, object, box, marks } = subject;
-    const key = keys.get(picture.rgba) ?? nextKey++;
-    keys.set(picture.rgba, key);
+    const key = keyOf(picture);
     const asked = JSON.stringify([key, object, box, marks]);
     const known = this.sought?.asked === asked ? this.sought : { asked, found: this.ask(subject, key) };
     this.sought = known;

@@ -5,7 +5,7 @@ import { pixelsOf } from "../../state/picture/picture";
 import type { PageTask } from "../../ui/shared/page-task";
 import { hintsOf, isPointedAt, maskOf, type Subject } from "./given";
 import type { StrokeWork } from "./protocol";
-import { SubjectTaker } from "./taking";
+import { keyOf, SubjectTaker } from "./taking";
 import { verdict } from "./verdict";
 
 export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
@@ -55,7 +55,7 @@ export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
     const { picture, depth, strokes } = subject!;
     // What is pointed at the core draws as surely as it sees it; a hand knows better.
     const mask = isPointedAt(subject!) && strokes.length === 0 ? null : maskOf(subject!);
-    return { picture: await pixelsOf(picture), mask, hints: hintsOf(subject!), depth: depth && (await pixelsOf(depth)) };
+    return { key: keyOf(picture), picture: await pixelsOf(picture), mask, hints: hintsOf(subject!), depth: depth && (await pixelsOf(depth)) };
   },
   example: async () => (await import("./example/example")).example(),
   verdict,

@@ -68,6 +68,8 @@ export class Easel {
       canvas.width = width;
       canvas.height = height;
     }
+    // Browsers empty what they have shown before the next drawing, wherever that goes: without this, it might be after the copy.
+    gl.clear(gl.COLOR_BUFFER_BIT);
     this.copy(this.resolved, null);
     gl.deleteSync(this.fence);
     this.fence = null;
