@@ -53,6 +53,14 @@ impl Session {
 
     /// Hands the present stage, wire and targets to the engine.
     pub(super) async fn load(&mut self) {
+        let scene = self.scene();
+        self.engine.load(scene).done().await;
+        self.loaded = true;
+        self.unseen = !self.ahead.is_empty();
+    }
+
+    /// The present stage, wire and targets.
+    pub(super) fn scene(&mut self) -> Scene {
         let stage = self.stage().clone();
         if let Some(bender) = self.bender.take() {
             self.fields = bender.into_fields();
@@ -67,7 +75,7 @@ impl Session {
         }
         let Problem { targets, occluders, texture_masks, .. } = &self.problem;
         let views = self.views(targets, occluders, texture_masks, inks);
-        let scene = Scene {
+        Scene {
             raster: stage.raster,
             pyramid: self.problem.recipe.pyramid,
             planes: self.planes(),
@@ -76,10 +84,7 @@ impl Session {
             nodes: self.nodes(),
             neighbours: self.find_neighbours()(),
             ..Scene::new(&self.wire, stage.samples_per_span, views)
-        };
-        self.engine.load(scene).done().await;
-        self.loaded = true;
-        self.unseen = !self.ahead.is_empty();
+        }
     }
 
     /// What the engine is told of what is to be seen from here on.

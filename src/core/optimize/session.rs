@@ -290,18 +290,7 @@ impl Session {
     async fn prepare(&mut self) {
         let (index, start) = self.stage_index();
         let i = self.iteration;
-        let planes_due = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
-        if planes_due {
-            self.plane_points.clone_from(&self.state.points);
-        }
-        let strands_due =
-            self.problem.recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every) || i == start);
-        if strands_due {
-            self.strand_points.clone_from(&self.state.points);
-        }
-        if strands_due || self.speed == 0.0 {
-            self.speed = self.measured_speed();
-        }
+        let [planes_due, strands_due] = self.look_round();
         if i == start {
             self.load().await;
             // Losses at another size are no measure for this one.
@@ -337,6 +326,25 @@ impl Session {
                 self.edit(&event.edit.clone()).await;
             }
         }
+    }
+
+    /// Notes from where planes and neighbours are looked for, if that is due before the next iteration, and which of them are.
+    pub(super) fn look_round(&mut self) -> [bool; 2] {
+        let (_, start) = self.stage_index();
+        let i = self.iteration;
+        let planes_due = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
+        if planes_due {
+            self.plane_points.clone_from(&self.state.points);
+        }
+        let strands_due =
+            self.problem.recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every) || i == start);
+        if strands_due {
+            self.strand_points.clone_from(&self.state.points);
+        }
+        if strands_due || self.speed == 0.0 {
+            self.speed = self.measured_speed();
+        }
+        [planes_due, strands_due]
     }
 
     /// How many iterations can be done before anything else is due.
@@ -414,7 +422,7 @@ impl Session {
     }
 
     /// The numbers of iteration `i` in world units.
-    fn numbers(&self, i: usize) -> Step {
+    pub(super) fn numbers(&self, i: usize) -> Step {
         let recipe = &self.problem.recipe;
         let progress = i as f64 / self.total() as f64;
         let half = self.half_world();
