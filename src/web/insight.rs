@@ -16,6 +16,12 @@ impl Insight {
         WireData(self.0.wire.clone())
     }
 
+    /// How many views there are.
+    #[wasm_bindgen(getter)]
+    pub fn view_count(&self) -> usize {
+        self.0.views.len()
+    }
+
     /// What pulls, by name: a term for each view first.
     pub fn terms(&self) -> Vec<String> {
         self.0.pulls.iter().map(|pull| pull.name.clone()).collect()
