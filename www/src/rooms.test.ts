@@ -36,6 +36,7 @@ const ROOMS: readonly string[] = [
   "ui/guidance",
   "ui/stage",
   "ui/run",
+  "ui/glass",
   "ui/save",
   "ui/app",
   "tasks",

@@ -2,6 +2,7 @@
 
 import { remember } from "../common/remember";
 import type { StudioState, Tool, WhenHidden } from "../contract/state";
+import type { Change } from "../run/variants";
 import type { Action } from "./action";
 
 const isIdle = ({ phase }: StudioState): boolean => phase === "idle";
@@ -83,5 +84,8 @@ export const setWhenHidden: Action<[choice: WhenHidden]> = {
     store.set({ whenHidden: choice });
   },
 };
+
+/** Lays a wire of the same run but for one thing beside the wire on the stage. */
+export const compareWith: Action<[change: Change]> = { id: "compare-with", label: "Lay it beside", can: isIdle, act: ({ runs }, change) => runs.compare(change) };
 
 export const useTool: Action<[tool: Tool | null]> = { id: "use-tool", label: "Tool", act: ({ bench: { store } }, tool) => store.set({ tool }) };

@@ -3,7 +3,7 @@
 import { deskOf } from "../../state/keeping/document";
 import type { ViewName } from "#sculpture/scene/stage";
 import type { Action, Parts } from "../../state/actions/action";
-import { pause, redo, run, undo } from "../../state/actions/actions";
+import { pause, redo, run, undo, useTool } from "../../state/actions/actions";
 
 /** What the page's own actions work with, besides the studio's parts. */
 export interface PageParts extends Parts {
@@ -25,6 +25,15 @@ export const share: PageAction = {
   act: (page) => page.share(),
 };
 
+/** Opens the optimiser beside the stage, or closes it. */
+export const glass: PageAction = {
+  id: "glass",
+  label: "Glass box",
+  keys: ["G"],
+  help: "Open the optimiser, or close it",
+  act: (page) => useTool.act(page, page.bench.store.get().tool === "glass" ? null : "glass"),
+};
+
 export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };
 
 /** In the order of help's list. */
@@ -38,5 +47,6 @@ export const ACTIONS: readonly PageAction[] = [
   undo,
   redo,
   share,
+  glass,
   help,
 ];
