@@ -17,6 +17,9 @@ import { ALL, inkOf, OF_ALL, strength, termWords, type Ink } from "./terms";
 import "./what-if";
 import "./wire-strip";
 
+/** Terms that most runs never have. */
+const OF_SOME: readonly string[] = ["surface", "texture", "guidance"];
+
 /** The glass box: which term pulls how, what each view sees, what happened, and what would be without. */
 @customElement("glass-panel")
 export class GlassPanel extends Part {
@@ -83,10 +86,11 @@ export class GlassPanel extends Part {
   }
 
   private legend(insight: Insight) {
-    const { shown, stretched } = this.glass.store.get();
+    const { stretched } = this.glass.store.get();
     const strengths = insight.pulls.map(strength);
     const whole = strengths.reduce((sum, each) => sum + each, 0);
-    const isOn = (term: TermPull, index: number): boolean => strengths[index]! > 0 || term.loss > 0 || shown.includes(term.name);
+    // Others may pull later: rows that came with them would move those below.
+    const isOn = ({ name }: TermPull, index: number): boolean => !OF_SOME.includes(name) || strengths[index]! > 0;
     return html`<ul class="legend">
         ${this.row(ALL, msg("All together"), OF_ALL, null, insight.pulls.reduce((sum, { loss }) => sum + loss, 0))}
         ${insight.pulls.map((term, index) => (isOn(term, index) ? this.row(term.name, termWords(term), inkOf(term, index), whole > 0 ? strengths[index]! / whole : 0, term.loss) : nothing))}
