@@ -296,8 +296,8 @@ impl Run {
     }
 
     /// What pulls at the wire as it is now, and how its views compare at every scale. It changes no bit of the run.
-    pub fn insight(&self) -> Result<Insight, JsError> {
-        Ok(Insight(self.session().insight()?))
+    pub fn insight(&self) -> Insight {
+        Insight(self.session().insight())
     }
 
     /// The whole state, for [`Run::resume`], [`Run::resume_stroke`] or [`Run::resume_fill`].

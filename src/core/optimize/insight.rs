@@ -1,8 +1,7 @@
 //! A look into a fit: which term pulls where, and how like its target each view is at every scale.
 
-use super::engine::{Engine, Picture};
+use super::engine::{Engine, Picture, Scene, Step};
 use super::{CpuEngine, Session};
-use crate::Result;
 use crate::objective::MultiscaleMse;
 use crate::view::Image;
 use crate::wire::Wire;
@@ -43,22 +42,16 @@ pub struct Level {
 
 impl Session {
     /// What the next iteration would see and be pulled by, were there no edit of the topology first. It is computed aside, by the
-    /// processor, from a copy: neither this session nor what computes it notices. What guides from outside, see
-    /// [`Session::guide_by`], is left out.
-    ///
-    /// # Errors
-    /// As [`Session::resume`]: never for a session that can be resumed.
-    pub fn insight(&self) -> Result<Insight> {
-        let mut copy = Session::resume(self.problem.clone(), self.checkpoint())?;
-        copy.look_round();
-        let step = copy.numbers(copy.iteration.min(copy.total().saturating_sub(1)));
-        let scene = copy.scene();
+    /// processor: neither this session nor what computes it notices. What guides from outside, see [`Session::guide_by`], is
+    /// left out.
+    pub fn insight(&self) -> Insight {
+        let (scene, step) = self.next_iteration();
         let (pyramid, ratio) = (scene.pyramid, step.level_ratio);
         let wanted: Vec<(Image, f32)> = scene.views.iter().map(|view| (view.target.clone(), view.weight)).collect();
         let mut engine = CpuEngine::new();
         wait(engine.load(scene).done());
-        let (terms, gradients) = engine.take_apart(&copy.state.points, &step);
-        let named = copy.history.columns[1..].iter().zip(&terms[1..]);
+        let (terms, gradients) = engine.take_apart(&self.state.points, &step);
+        let named = self.history.columns[1..].iter().zip(&terms[1..]);
         let pull = |((name, &loss), gradient): ((&String, &f32), _)| Pull { name: name.clone(), loss, gradient };
         let pulls = named.zip(gradients).map(pull).collect();
         let levels = |(v, (wanted, weight)): (usize, &(Image, f32))| {
@@ -66,7 +59,22 @@ impl Session {
             Level::all(MultiscaleMse::new(pyramid, wanted.width, wanted.height), seen, &wanted.data, *weight, ratio)
         };
         let views = wanted.iter().enumerate().map(levels).collect();
-        Ok(Insight { wire: copy.wire(), pulls, views })
+        Insight { wire: self.wire(), pulls, views }
+    }
+
+    /// The next iteration's scene and numbers, or the last one's where all are done.
+    fn next_iteration(&self) -> (Scene, Step) {
+        let now = &self.state.points;
+        let [planes, strands] = self.looks_round();
+        let strand_points = if strands { now } else { &self.strand_points };
+        let mut step = self.numbers(self.iteration.min(self.total().saturating_sub(1)));
+        if strands || self.speed == 0.0 {
+            step.elastic.speed = self.measured_speed(strand_points);
+            step.clearance.speed = step.elastic.speed;
+        }
+        let mut inks = self.fitted_inks(&self.problem.targets);
+        self.bend_inks(&mut inks);
+        (self.scene(inks, if planes { now } else { &self.plane_points }, strand_points), step)
     }
 }
 
@@ -90,7 +98,7 @@ impl Level {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Problem, Recipe, Schedule, Smooth, Step, SurfacePull, Term, term_count};
+    use super::super::{Bending, Problem, Recipe, Schedule, Smooth, SurfacePull, Term, term_count};
     use super::*;
     use crate::mesh::{Nearest, Shape};
     use crate::objective::{Texture, TextureOptions};
@@ -121,6 +129,7 @@ mod tests {
                 ..smooth
             }),
             length: Schedule::Constant(0.01),
+            bending: Some(Bending { from: 0.0, every: 2, ..Bending::default() }),
             ..Recipe::best()
         };
         recipe
@@ -152,8 +161,11 @@ mod tests {
     fn the_terms_are_the_iterations_and_add_up_to_the_gradient_that_moves_the_wire() {
         for done in [0, 3, 4, 6, 11] {
             let mut session = at_step(done);
-            let insight = session.insight().unwrap();
+            let insight = session.insight();
             assert_eq!(insight.wire, session.wire());
+            // Also of one that has not begun to go on yet.
+            let resumed = Session::resume(session.problem.clone(), session.checkpoint()).unwrap();
+            assert_eq!(resumed.insight(), insight);
             let beta1 = session.numbers(done).adam.beta1 as f32;
             let before = session.state.adam.first.clone();
             session.step(1);
@@ -181,12 +193,10 @@ mod tests {
     #[test]
     fn each_gradient_is_its_own_terms() {
         let session = at_step(5);
-        let insight = session.insight().unwrap();
-        let mut copy = Session::resume(session.problem.clone(), session.checkpoint()).unwrap();
-        copy.look_round();
-        let step: Step = copy.numbers(5);
+        let insight = session.insight();
+        let (scene, step) = session.next_iteration();
         let mut engine = CpuEngine::new();
-        wait(engine.load(copy.scene()).done());
+        wait(engine.load(scene).done());
         for (number, pull) in insight.pulls.iter().enumerate() {
             let squared = dot(&pull.gradient, &pull.gradient);
             if pull.name == Term::Guidance.name() {
@@ -197,7 +207,7 @@ mod tests {
             let mut loss_at = |offset: f64| {
                 let along = (offset / squared.sqrt()) as f32;
                 let moved = |(point, g): (&[f32; 4], &[f32; 4])| std::array::from_fn(|c| point[c] + along * g[c]);
-                let points: Vec<[f32; 4]> = copy.state.points.iter().zip(&pull.gradient).map(moved).collect();
+                let points: Vec<[f32; 4]> = session.state.points.iter().zip(&pull.gradient).map(moved).collect();
                 let mut terms = vec![0.0; term_count(3)];
                 engine.evaluate_now(&points, &step, &mut terms, &mut Vec::new());
                 f64::from(terms[1 + number])
@@ -214,19 +224,19 @@ mod tests {
         let (mut asked, mut unasked) = (at_step(0), at_step(0));
         while !asked.is_done() {
             let before = asked.checkpoint();
-            asked.insight().unwrap();
+            asked.insight();
             assert_eq!(asked.checkpoint(), before);
             asked.step(1);
         }
         unasked.step(usize::MAX);
         assert_eq!(asked.checkpoint(), unasked.checkpoint());
-        assert_eq!(asked.insight().unwrap(), unasked.insight().unwrap(), "of a run that is done");
+        assert_eq!(asked.insight(), unasked.insight(), "of a run that is done");
     }
 
     #[test]
     fn the_levels_are_those_of_the_loss() {
         let session = at_step(6);
-        let insight = session.insight().unwrap();
+        let insight = session.insight();
         for (levels, pull) in insight.views.iter().zip(&insight.pulls) {
             let sizes: Vec<_> = levels.iter().map(|level| (level.seen.width, level.seen.height)).collect();
             assert_eq!(sizes, crate::objective::level_sizes(48, 48));

@@ -290,7 +290,16 @@ impl Session {
     async fn prepare(&mut self) {
         let (index, start) = self.stage_index();
         let i = self.iteration;
-        let [planes_due, strands_due] = self.look_round();
+        let [planes_due, strands_due] = self.looks_round();
+        if planes_due {
+            self.plane_points.clone_from(&self.state.points);
+        }
+        if strands_due {
+            self.strand_points.clone_from(&self.state.points);
+        }
+        if strands_due || self.speed == 0.0 {
+            self.speed = self.measured_speed(&self.strand_points);
+        }
         if i == start {
             self.load().await;
             // Losses at another size are no measure for this one.
@@ -300,11 +309,11 @@ impl Session {
             self.load().await;
         } else {
             if planes_due {
-                let planes = self.planes();
+                let planes = self.planes(&self.plane_points);
                 self.engine.set_planes(planes);
             }
             if strands_due {
-                let find = self.find_neighbours();
+                let find = self.find_neighbours(&self.strand_points);
                 self.engine.set_neighbours_found_by(find);
             }
         }
@@ -328,23 +337,14 @@ impl Session {
         }
     }
 
-    /// Notes from where planes and neighbours are looked for, if that is due before the next iteration, and which of them are.
-    pub(super) fn look_round(&mut self) -> [bool; 2] {
+    /// Whether planes and neighbours are looked for before the next iteration.
+    pub(super) fn looks_round(&self) -> [bool; 2] {
         let (_, start) = self.stage_index();
         let i = self.iteration;
-        let planes_due = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
-        if planes_due {
-            self.plane_points.clone_from(&self.state.points);
-        }
-        let strands_due =
+        let planes = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
+        let strands =
             self.problem.recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every) || i == start);
-        if strands_due {
-            self.strand_points.clone_from(&self.state.points);
-        }
-        if strands_due || self.speed == 0.0 {
-            self.speed = self.measured_speed();
-        }
-        [planes_due, strands_due]
+        [planes, strands]
     }
 
     /// How many iterations can be done before anything else is due.
@@ -509,12 +509,12 @@ impl Session {
         }
         if self.problem.recipe.smooth.is_some() {
             self.strand_points.clone_from(&self.state.points);
-            self.speed = self.measured_speed();
+            self.speed = self.measured_speed(&self.strand_points);
         }
         if matches!(kind, EventKind::Refine | EventKind::Respace | EventKind::Thin) && count > 0 {
             self.load().await;
         } else if has_planes {
-            let planes = self.planes();
+            let planes = self.planes(&self.plane_points);
             self.engine.set_planes(planes);
         }
         self.record(kind, count);

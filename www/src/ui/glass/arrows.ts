@@ -8,6 +8,8 @@ export interface Pulling {
   readonly gradient: Float32Array;
   readonly colour: string;
   readonly dash: readonly number[];
+  /** CSS pixels across, where that is not the usual. */
+  readonly wide?: number | undefined;
 }
 
 /** Most arrows are shorter than this, world units, where there are few of them, and shorter yet where there are many. */
@@ -92,7 +94,7 @@ export function paintOverlay(canvas: HTMLCanvasElement, clip: Mat4 | null, { poi
   context.lineCap = "butt";
   if (points) {
     const common = scaleOf(pulls.map(({ gradient }) => gradient));
-    for (const { gradient, colour, dash } of pulls) {
+    for (const { gradient, colour, dash, wide = LINE_PX } of pulls) {
       const ends = arrowsOf(points, gradient, stretched ? scaleOf([gradient]) : common);
       const [shafts, heads] = [new Path2D(), new Path2D()];
       for (let at = 0; at + 5 < ends.length; at += 6) {
@@ -103,11 +105,11 @@ export function paintOverlay(canvas: HTMLCanvasElement, clip: Mat4 | null, { poi
       context.lineJoin = "round";
       context.setLineDash([]);
       context.strokeStyle = halo;
-      context.lineWidth = LINE_PX + HALO_PX;
+      context.lineWidth = wide + HALO_PX;
       context.stroke(shafts);
       context.stroke(heads);
       context.strokeStyle = context.fillStyle = colour;
-      context.lineWidth = LINE_PX;
+      context.lineWidth = wide;
       context.setLineDash([...dash]);
       context.stroke(shafts);
       context.setLineDash([]);

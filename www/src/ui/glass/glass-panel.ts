@@ -110,7 +110,7 @@ export class GlassPanel extends Part {
       <label>
         <input type="checkbox" .checked=${shown.includes(name)} @change=${(event: Event) => this.glass.show(name, (event.target as HTMLInputElement).checked)} />
         <svg class="swatch" viewBox="0 0 28 10" aria-hidden="true">
-          ${svg`<path d="M1 5H20" fill="none" stroke=${colour} stroke-width="2.5" stroke-dasharray=${ink.dash.join(" ")} /><path d="M27 5L19 1V9Z" fill=${colour} />`}
+          ${svg`<path d="M1 5H20" fill="none" stroke=${colour} stroke-width=${1.2 * (ink.wide ?? 2)} stroke-dasharray=${ink.dash.join(" ")} /><path d="M27 5L19 1V9Z" fill=${colour} />`}
         </svg>
         <span class="words">${words}</span>
         <span class="share">${share === null ? "" : html`<span class="unseen">${msg("Share of the pull:")}</span> ${percent(share)}`}</span>

@@ -151,9 +151,9 @@ export class Glass {
       const { pulls: terms } = insight;
       terms.forEach((term, index) => {
         const ink = inkOf(term, index);
-        if (shown.includes(term.name)) pulls.push({ gradient: term.gradient, colour: this.colourOf(ink), dash: ink.dash });
+        if (shown.includes(term.name)) pulls.push({ ...ink, gradient: term.gradient, colour: this.colourOf(ink) });
       });
-      if (shown.includes(ALL)) pulls.push({ gradient: together(terms), colour: this.colourOf(OF_ALL), dash: OF_ALL.dash });
+      if (shown.includes(ALL)) pulls.push({ ...OF_ALL, gradient: together(terms), colour: this.colourOf(OF_ALL) });
     }
     const place = profile && at !== null ? ([0, 1, 2].map((c) => profile.places[3 * at + c]!) as [number, number, number]) : null;
     const points = insight?.wire.controlPoints ?? null;

@@ -10,17 +10,19 @@ export interface Ink {
   readonly dark: string;
   /** CSS pixels on and off; none for a whole line. */
   readonly dash: readonly number[];
+  /** CSS pixels across, where that is not the usual. */
+  readonly wide?: number;
 }
 
-/** Told apart by those with any kind of colour sight; views are whole lines, the wire's own terms are dashed. */
+/** Told apart by those with any kind of colour sight, and by their dashes by those with none. */
 const OF_VIEWS: readonly Ink[] = [
   { light: "#0063b0", dark: "#7cc0ff", dash: [] },
-  { light: "#00704f", dark: "#4fd6a8", dash: [] },
-  { light: "#8a2f8f", dark: "#e29bf0", dash: [] },
-  { light: "#7a5c00", dark: "#e8cf5a", dash: [] },
+  { light: "#00704f", dark: "#4fd6a8", dash: [9, 3] },
+  { light: "#8a2f8f", dark: "#e29bf0", dash: [1, 1] },
+  { light: "#7a5c00", dark: "#e8cf5a", dash: [9, 2, 1, 2] },
 ];
 const OF_WIRE: Readonly<Record<string, Ink>> = {
-  jerk: { light: "#6a6a00", dark: "#d8d860", dash: [6, 2] },
+  jerk: { light: "#6a6a00", dark: "#d8d860", dash: [6, 4] },
   length: { light: "#5c5852", dark: "#c9c1b5", dash: [2, 2] },
   surface: { light: "#00606e", dark: "#62d5e6", dash: [8, 2] },
   texture: { light: "#3f47b5", dark: "#aab2ff", dash: [4, 2] },
@@ -30,7 +32,7 @@ const OF_WIRE: Readonly<Record<string, Ink>> = {
   clearance: { light: "#9a4a00", dark: "#ffb26b", dash: [7, 2, 2, 2] },
   guidance: { light: "#444444", dark: "#dddddd", dash: [1, 2] },
 };
-export const OF_ALL: Ink = { light: "#1d1b19", dark: "#ece7df", dash: [] };
+export const OF_ALL: Ink = { light: "#1d1b19", dark: "#ece7df", dash: [], wide: 2.2 };
 /** By the name of what adds up all terms. */
 export const ALL = "all";
 
