@@ -74,17 +74,17 @@ describe("on a desk", () => {
     await expect.poll(() => over()).toBeGreaterThan(100);
     // All together, the only ones that are drawn at first, are black: none is blue until the front's are wanted.
     expect(await over(BLUE)).toBe(0);
-    await box().getByLabel(/Match the front/).check();
+    await box().getByLabel(/Match: front/).check();
     await expect.poll(() => over(BLUE)).toBeGreaterThan(30);
     await box().getByLabel(/All together/).uncheck();
-    await box().getByLabel(/Match the front/).uncheck();
+    await box().getByLabel(/Match: front/).uncheck();
     await expect.poll(() => over()).toBe(0);
     await box().getByLabel(/Bend little/).check();
     await box().getByLabel(/Stretch each colour/).check();
     await expect.poll(() => over()).toBeGreaterThan(10);
 
     // Shares of the pull are all of it.
-    const shares = (await box().locator(".share").allTextContents()).map((text) => parseInt(/(\d+)%/.exec(text)?.[1] ?? "0"));
+    const shares = (await box().locator(".legend .share").allTextContents()).map((text) => parseInt(/(\d+)%/.exec(text)?.[1] ?? "0"));
     const sum = shares.reduce((a, b) => a + b, 0);
     expect(sum).toBeGreaterThan(90);
     expect(sum).toBeLessThan(110);
@@ -142,6 +142,7 @@ describe("on a desk", () => {
 
   it("runs the same but for one thing, and lays both side by side", async () => {
     await open();
+    expect(await page.locator("what-if option").allTextContents()).toContain("the last picture is left out");
     await page.locator("what-if select").selectOption({ label: "only the finest scale counts" });
     await button("Run it and lay it beside").click();
     // First the wire itself, for the example is of no run; then the other.
@@ -174,7 +175,7 @@ it("keeps to the colours that people force", async () => {
   await begin({ forcedColors: "active" });
   await open();
   await paused();
-  await box().getByLabel(/Match the front/).check();
+  await box().getByLabel(/Match: front/).check();
   await expect.poll(() => over()).toBeGreaterThan(100);
   expect(await over(BLUE)).toBe(0);
   await shoot(page, "glass-forced");

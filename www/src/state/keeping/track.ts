@@ -3,7 +3,7 @@
 import type { Frame, Guide, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
 
 /** In what a run differs from that of the wire beside which its own is laid. */
-export const VARIANTS = ["loose", "reinit", "refine", "respace", "smoothness", "tightness", "clearance", "level_weight", "bend", "start"] as const;
+export const VARIANTS = ["loose", "reinit", "refine", "respace", "smoothness", "tightness", "clearance", "level_weight", "bend", "start", "picture"] as const;
 export type Variant = (typeof VARIANTS)[number];
 
 export interface Track {

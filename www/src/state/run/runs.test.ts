@@ -84,6 +84,13 @@ it("lays a wire beside it that differs in one thing, of the same settings and se
   expect(variantOf({ ...loose!.track!, variant: undefined! })).toBe("loose");
 });
 
+it("lays a wire of something else beside it, and leaves what is given", async () => {
+  give("red");
+  await done(1, runs.run());
+  await done(2, runs.compare({ variant: "picture", settings: {}, given: "half", without: true }));
+  expect([asked[1]!.work, bench.doc.given["knit"]]).toEqual(["half", "red"]);
+});
+
 it("goes on from a wire that it went through, and brings back what that was of", async () => {
   give("red");
   const wire: WireShape = { closed: false, knots: [], controlPoints: [] };

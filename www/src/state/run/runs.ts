@@ -48,7 +48,7 @@ export class Runs {
   }
 
   /** The wire on the stage once more but for one thing, to be laid beside it; the wire first, where there is none of a run. */
-  async compare({ variant, settings }: Change = LOOSE): Promise<void> {
+  async compare({ variant, settings, given: instead }: Change = LOOSE): Promise<void> {
     if (this.bench.busy) return;
     const { task } = this.bench.doc;
     const made = (): Made | null => deskOf(this.bench.doc, task).made;
@@ -58,7 +58,7 @@ export class Runs {
     // One that was stopped on the way was not to be compared after all.
     const given = track && (known || !made()!.stopped);
     if (!given || this.bench.busy || this.bench.doc.task !== task) return;
-    await this.fit({ ...freshTrack(task, track.given, { ...track.settings, ...settings }, track.guide), loose: true, variant });
+    await this.fit({ ...freshTrack(task, instead ?? track.given, { ...track.settings, ...settings }, track.guide), loose: true, variant });
   }
 
   /** Pauses, or goes on. */
@@ -127,7 +127,8 @@ export class Runs {
     const { bench } = this;
     const { task, given } = track;
     if (bench.doc.task !== task) bench.project.replace({ task });
-    if (bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
+    // What lies beside a wire may be of something else than that.
+    if (!track.loose && bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
     // What it is compared with decides about what lies beside it.
     await this.fit(track.loose ? track : { ...track, settings: deskOf(bench.doc, task).settings, guide: deskOf(bench.doc, task).guide });
   }

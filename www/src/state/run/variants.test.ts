@@ -50,6 +50,11 @@ describe("what can be another way", () => {
     expect(changesOf({}, null, made)).toEqual([]);
   });
 
+  it("is one picture fewer, where that is enough", () => {
+    expect(changesOf({}, table, made, "two of them").find(({ variant }) => variant === "picture")).toEqual({ variant: "picture", settings: {}, given: "two of them", without: true });
+    expect(changesOf({}, table, made, null).map(({ variant }) => variant)).not.toContain("picture");
+  });
+
   it("knows no fixed number of points before there is a wire", () => {
     expect(changesOf({}, table, null).map(({ variant }) => variant)).not.toContain("respace");
   });

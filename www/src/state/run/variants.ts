@@ -9,6 +9,8 @@ import { presetOf, problemWith } from "../settings/values";
 export interface Change {
   readonly variant: Variant;
   readonly settings: SettingValues;
+  /** What is given, where that is something else. */
+  readonly given?: unknown;
   /** Whether something is left out, or else added. */
   readonly without: boolean;
 }
@@ -19,8 +21,8 @@ const ROUGH: readonly string[] = ["circuit", "tree", "hull", "ball"];
 /** Where loose strokes are laid instead of one wire. */
 export const LOOSE: Change = { variant: "loose", settings: { form: "bag" }, without: false };
 
-/** What can be another way in a run with these settings; `made` is the wire that came of it, or would. */
-export function changesOf(settings: SettingValues, table: SettingsTable | null, made: Made | null): readonly Change[] {
+/** What can be another way in a run with these settings; `made` is the wire that came of it, `fewer` the same without a picture. */
+export function changesOf(settings: SettingValues, table: SettingsTable | null, made: Made | null, fewer: unknown = null): readonly Change[] {
   if (!table) return [];
   const value = (name: string): string => settings[name] ?? presetOf(settings, table)[name] ?? "";
   const isSmooth = value("smooth") === "on";
@@ -40,6 +42,7 @@ export function changesOf(settings: SettingValues, table: SettingsTable | null, 
     isSmooth ? weightless("clearance") : null,
     weightless("level_weight"),
     value("bend") === "none" ? null : change("bend", { bend: "none" }),
+    fewer === null ? null : { ...change("picture", {}), given: fewer },
     value("start") === "ball" ? null : change("start", { start: "ball" }),
   ];
   // Not every task has all of them.

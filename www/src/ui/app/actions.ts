@@ -1,5 +1,6 @@
 /** Everything with a key, and what only the page can do: look from somewhere, share, help. */
 
+import { msg } from "@lit/localize";
 import { deskOf } from "../../state/keeping/document";
 import type { ViewName } from "#sculpture/scene/stage";
 import type { Action, Parts } from "../../state/actions/action";
@@ -31,7 +32,12 @@ export const glass: PageAction = {
   label: "Glass box",
   keys: ["G"],
   help: "Open the optimiser, or close it",
-  act: (page) => useTool.act(page, page.bench.store.get().tool === "glass" ? null : "glass"),
+  act: (page) => {
+    const { store } = page.bench;
+    const isOpen = store.get().tool === "glass";
+    useTool.act(page, isOpen ? null : "glass");
+    store.set({ said: isOpen ? msg("The glass box is closed.") : msg("The glass box is open beside the stage.") });
+  },
 };
 
 export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };

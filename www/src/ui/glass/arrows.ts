@@ -25,6 +25,8 @@ const HEAD_PX = 5;
 const LINE_PX = 1.4;
 const HALO_PX = 1.4;
 const POINT_PX = 1.4;
+/** Of more points than that none is marked: there would be nothing else to see. */
+const MOST_POINTS = 1200;
 const RING_PX = 8;
 
 /** How long most arrows of so many points are, world units. */
@@ -117,7 +119,8 @@ export function paintOverlay(canvas: HTMLCanvasElement, clip: Mat4 | null, { poi
     }
     context.fillStyle = ink;
     context.beginPath();
-    for (let at = 0; pulls.length > 0 && at + 3 < points.length; at += 4) {
+    const marked = pulls.length > 0 && points.length <= 4 * MOST_POINTS;
+    for (let at = 0; marked && at + 3 < points.length; at += 4) {
       const [x, y] = seen(points[at]!, points[at + 1]!, points[at + 2]!) ?? [-9, -9];
       context.moveTo(x + POINT_PX, y);
       context.arc(x, y, POINT_PX, 0, 2 * Math.PI);

@@ -91,9 +91,12 @@ export class GlassPanel extends Part {
     const whole = strengths.reduce((sum, each) => sum + each, 0);
     // Others may pull later: rows that came with them would move those below.
     const isOn = ({ name }: TermPull, index: number): boolean => !OF_SOME.includes(name) || strengths[index]! > 0;
-    return html`<ul class="legend">
-        ${this.row(ALL, msg("All together"), OF_ALL, null, insight.pulls.reduce((sum, { loss }) => sum + loss, 0))}
-        ${insight.pulls.map((term, index) => (isOn(term, index) ? this.row(term.name, termWords(term), inkOf(term, index), whole > 0 ? strengths[index]! / whole : 0, term.loss) : nothing))}
+    const loss = insight.pulls.reduce((sum, { loss }) => sum + loss, 0);
+    const of = (part: number, whole: number): string => whole > 0 && part > 0 ? (part < 0.005 * whole ? "<1%" : percent(part / whole)) : "0%";
+    return html`<p class="heads" aria-hidden="true"><span class="share">${msg("Pull")}</span> <span class="loss">${msg("Loss")}</span></p>
+      <ul class="legend">
+        ${this.row(ALL, msg("All together"), OF_ALL, "", loss.toPrecision(2))}
+        ${insight.pulls.map((term, index) => (isOn(term, index) ? this.row(term.name, termWords(term), inkOf(term, index), of(strengths[index]!, whole), of(term.loss, loss)) : nothing))}
       </ul>
       <label class="check">
         <input type="checkbox" .checked=${stretched} @change=${(event: Event) => this.glass.store.set({ stretched: (event.target as HTMLInputElement).checked })} />
@@ -102,8 +105,8 @@ export class GlassPanel extends Part {
       ${this.state.track?.guide ? html`<p class="small quiet">${msg("What the words ask for is not among these.")}</p>` : nothing}`;
   }
 
-  /** A term: whether its arrows are drawn, how they look, its share of the pull, and its loss. */
-  private row(name: string, words: string, ink: Ink, share: number | null, loss: number) {
+  /** A term: whether its arrows are drawn, how they look, and its share of the pull and of the loss. */
+  private row(name: string, words: string, ink: Ink, pull: string, loss: string) {
     const { shown } = this.glass.store.get();
     const colour = this.glass.colourOf(ink);
     return html`<li>
@@ -113,8 +116,8 @@ export class GlassPanel extends Part {
           ${svg`<path d="M1 5H20" fill="none" stroke=${colour} stroke-width=${1.2 * (ink.wide ?? 2)} stroke-dasharray=${ink.dash.join(" ")} /><path d="M27 5L19 1V9Z" fill=${colour} />`}
         </svg>
         <span class="words">${words}</span>
-        <span class="share">${share === null ? "" : html`<span class="unseen">${msg("Share of the pull:")}</span> ${percent(share)}`}</span>
-        <span class="loss"><span class="unseen">${msg("Loss:")}</span> ${loss.toFixed(4)}</span>
+        <span class="share">${pull && html`<span class="unseen">${msg("Pull:")}</span> ${pull}`}</span>
+        <span class="loss"><span class="unseen">${msg("Loss:")}</span> ${loss}</span>
       </label>
     </li>`;
   }

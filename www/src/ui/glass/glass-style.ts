@@ -41,9 +41,19 @@ export const glassStyle = css`
     padding: 0;
     list-style: none;
   }
+  .heads {
+    display: flex;
+    gap: 8px;
+    justify-content: end;
+    font-size: 13px;
+    line-height: 18px;
+  }
+  .heads .loss {
+    width: 6ch;
+  }
   .legend label {
     display: grid;
-    grid-template-columns: 20px 28px minmax(0, 1fr) 4ch 7ch;
+    grid-template-columns: 20px 28px minmax(0, 1fr) 5ch 6ch;
     gap: 8px;
     align-items: center;
     min-height: 28px;

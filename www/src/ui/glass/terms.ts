@@ -20,6 +20,9 @@ const OF_VIEWS: readonly Ink[] = [
   { light: "#00704f", dark: "#4fd6a8", dash: [9, 3] },
   { light: "#8a2f8f", dark: "#e29bf0", dash: [1, 1] },
   { light: "#7a5c00", dark: "#e8cf5a", dash: [9, 2, 1, 2] },
+  { light: "#00707a", dark: "#62dfe8", dash: [4, 1] },
+  { light: "#51519c", dark: "#bcbcff", dash: [12, 2] },
+  { light: "#8c4a2a", dark: "#f0b088", dash: [4, 2, 1, 2] },
 ];
 const OF_WIRE: Readonly<Record<string, Ink>> = {
   jerk: { light: "#6a6a00", dark: "#d8d860", dash: [6, 4] },
@@ -42,7 +45,7 @@ export function inkOf({ name, ofView }: TermPull, index: number): Ink {
 
 /** What a term wants. */
 export function termWords({ name, ofView }: Pick<TermPull, "name" | "ofView">): string {
-  if (ofView) return msg(str`Match the ${viewWords(name)}`);
+  if (ofView) return msg(str`Match: ${viewWords(name)}`);
   switch (name) {
     case "jerk":
       return msg("Change gently (jerk)");

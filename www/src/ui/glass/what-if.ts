@@ -40,7 +40,9 @@ export class WhatIf extends Part {
   override render() {
     const { doc, comparing, running } = this.state;
     const { made, loose, settings } = deskOf(doc);
-    const changes = changesOf(made?.track?.settings ?? settings, tableOf(this.state), made);
+    const { track } = made ?? {};
+    const fewer = this.studio.task().fewer?.(track?.given ?? doc.given[doc.task]) ?? null;
+    const changes = changesOf(track?.settings ?? settings, tableOf(this.state), made, fewer);
     const change = changes.find(({ variant }) => variant === this.chosen) ?? changes.find(({ variant }) => variant === "clearance") ?? changes[0];
     if (!change) return nothing;
     const beside = variantOf(loose?.track);
@@ -98,6 +100,8 @@ function changeWords({ variant, without }: Change): string {
       return msg("only the finest scale counts");
     case "bend":
       return msg("drawings do not bend");
+    case "picture":
+      return msg("the last picture is left out");
     case "start":
       return msg("it starts as a tangle");
   }
