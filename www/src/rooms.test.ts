@@ -38,6 +38,7 @@ const ROOMS: readonly string[] = [
   "ui/guidance",
   "ui/stage",
   "ui/run",
+  "ui/glass",
   "ui/save",
   "ui/lesson",
   "ui/app",

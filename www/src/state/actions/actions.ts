@@ -3,6 +3,7 @@
 import { isLocked } from "../common/locks";
 import { remember } from "../common/remember";
 import type { StudioState, Tool, WhenHidden } from "../contract/state";
+import type { Change } from "../run/variants";
 import type { Action } from "./action";
 
 const isIdle = ({ phase }: StudioState): boolean => phase === "idle";
@@ -87,5 +88,8 @@ export const setWhenHidden: Action<[choice: WhenHidden]> = {
     store.set({ whenHidden: choice });
   },
 };
+
+/** Lays a wire of the same run but for one thing beside the wire on the stage. */
+export const compareWith: Action<[change: Change]> = { id: "compare-with", label: "Lay it beside", can: isIdle, act: ({ runs }, change) => runs.compare(change) };
 
 export const useTool: Action<[tool: Tool | null]> = { id: "use-tool", label: "Tool", act: ({ bench: { store } }, tool) => tool !== null && isLocked(store.get(), tool) ? undefined : store.set({ tool }) };

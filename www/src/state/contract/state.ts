@@ -7,7 +7,7 @@ import { remembered } from "../common/remember";
 import type { Store } from "../common/store";
 import { deskOf, type Made } from "../keeping/document";
 import type { ProjectState } from "../keeping/project";
-import type { Track } from "../keeping/track";
+import { variantOf, type Track, type Variant } from "../keeping/track";
 import type { LessonState } from "../lesson/lesson";
 
 /** What of a task the state follows from. */
@@ -138,8 +138,8 @@ export interface StudioState extends BaseState, Seen {
   readonly progress: Progress;
   /** The task of the run under way, which need not be the one that is looked at. */
   readonly running: string | null;
-  /** Whether loose strokes are being laid, to compare. */
-  readonly comparing: boolean;
+  /** In what the run under way differs from that of the wire that it is laid beside; null where it is laid beside none. */
+  readonly comparing: Variant | null;
   /** Whether the stage shows how a wire would run, and not the one that was made. */
   readonly planned: boolean;
   /** Whether a wire on the same way would now be bent or thickened in another manner. */
@@ -183,7 +183,7 @@ export function stateOf(base: BaseState, tasks: readonly TaskState[]): StudioSta
   const running = phase === "idle" ? null : (run.track?.task ?? null);
   const { made } = deskOf(doc);
   const stale = tasks.find(({ name }) => name === doc.task)?.stale?.(passing[doc.task]!) ?? null;
-  const follows = { phase, progress, running, comparing: running !== null && run.track?.loose === true, planned: stale === "way", restyled: stale === "look" };
+  const follows = { phase, progress, running, comparing: running === null ? null : variantOf(run.track), planned: stale === "way", restyled: stale === "look" };
   let seen: Seen = NOTHING_TO_SEE;
   if (running === doc.task) {
     const { track, looking, views, targets, notes } = run;

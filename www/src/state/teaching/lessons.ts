@@ -13,7 +13,6 @@ import { deskOf, withDesk, withGiven, type Doc } from "../keeping/document";
 import { readAsked, writeAsked, type Asked } from "../lesson/asked";
 import { openedAt, stepOf, type Lesson, type LessonState, type Opening } from "../lesson/lesson";
 import { Fault } from "../lesson/reading";
-import { filesBeside } from "../opening/beside";
 import type { Opener } from "../opening/opener";
 import type { Receiver } from "../opening/receiver";
 import type { Runs } from "../run/runs";
@@ -291,7 +290,7 @@ function keptOf({ id, steps }: Lesson): Kept | null {
 }
 
 async function fetchedFile(id: string, name: string): Promise<File> {
-  if (name.includes("/")) return (await filesBeside(`#open=${name}`))[0]!;
+  if (name.includes("/")) return (await (await import("../opening/beside")).filesBeside(`#open=${name}`))[0]!;
   const address = await addressOfFile(id, name);
   const response = address === null ? null : await fetch(address).catch(() => null);
   if (!response?.ok) throw new Problem(`A file of this lesson, ${name}, cannot be had. Check the connection, then start the step again.`);

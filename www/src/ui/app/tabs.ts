@@ -17,8 +17,8 @@ const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
   share: { words: "Share", icon: icons.share },
 };
 
-/** `pads` is what the part where things are given is called. */
-export function tabs(chosen: Tab, pads: string, choose: (tab: Tab) => void, shown: readonly Tab[]): TemplateResult {
+/** `pads` is what the part where things are given is called; `chosen` is null where something else lies in the sheet. */
+export function tabs(chosen: Tab | null, pads: string, choose: (tab: Tab) => void, shown: readonly Tab[]): TemplateResult {
   const press = (event: KeyboardEvent): void => walkTabs(event, shown, choose);
   return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
     ${shown.map(
@@ -28,7 +28,7 @@ export function tabs(chosen: Tab, pads: string, choose: (tab: Tab) => void, show
         role="tab"
         aria-selected=${tab === chosen}
         aria-controls="part-${tab}"
-        tabindex=${tab === chosen ? 0 : -1}
+        tabindex=${tab === (chosen ?? shown[0]) ? 0 : -1}
         @click=${() => choose(tab)}
       >
         ${SHOWN[tab].icon} ${tab === "pictures" ? pads : SHOWN[tab].words}

@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "#sculpture/scene/looks";
@@ -7,16 +8,18 @@ import { nextTurn } from "../../state/common/next-turn";
 import { remember, remembered } from "../../state/common/remember";
 import { explain } from "../../state/common/words";
 import { deskOf, tableOf, type Studio, type StudioState } from "../../state/studio";
+import type { Tool } from "../../state/contract/state";
 import { useTool } from "../../state/actions/actions";
 import type { Heading } from "../../view/heading";
 import type { ResultPanel } from "../run/result-panel";
-import type { WireComparison } from "../run/wire-comparison";
 import type { SavePanel } from "../save/save-panel";
 import { NARROW } from "../shared/narrow";
 import type { Page, PageTask, TaskParts } from "../shared/page-task";
+import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
+import type { ToolParts } from "../stage/tool";
 import type { WireStage } from "../stage/wire-stage";
-import { help, share, type PageAction, type PageParts } from "./actions";
+import { glass, help, share, type PageAction, type PageParts } from "./actions";
 import { layout } from "./app-layout";
 import "./drop-hint";
 import "./live-region";
@@ -25,6 +28,7 @@ import { pageTitle } from "./page-title";
 import { loadParts, rendered } from "./parts";
 import { actionOf, isTaken } from "./shortcuts";
 import { LESSON_TAB, TABS, tabs, tabsStyle, type Tab } from "./tabs";
+import { TOOL_PARTS } from "./tools";
 import "./top-bar";
 
 /** What stands in the right column. */
@@ -45,6 +49,8 @@ export class WireApp extends LitElement {
   @state() private tab: Tab = "pictures";
   /** Elements of the tasks that were looked at. */
   @state() private parts: Readonly<Record<string, TaskParts>> = {};
+  /** Of the tools that were opened. */
+  @state() private tools: Partial<Record<Tool, ToolParts>> = {};
   /** What lies open over the stage, in the words of the task that is looked at. */
   @state() private editing: unknown = null;
   @state() private throughNow: boolean | null = null;
@@ -52,7 +58,6 @@ export class WireApp extends LitElement {
   @query("wire-stage") private stage!: WireStage;
   @query("result-panel") private result!: ResultPanel;
   @query("save-panel") private saving!: SavePanel;
-  @query("wire-comparison") private comparison!: WireComparison;
   @query("live-region") private live!: LiveRegion;
   /** Whether a run has ended since somebody last looked. */
   private unseen = false;
@@ -77,6 +82,7 @@ export class WireApp extends LitElement {
     const parts = this.parts[task.name] ?? null;
     const ofTask = this.page;
     const { panel } = page;
+    const tool = now.tool && this.tools[now.tool];
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} .tasks=${tasks} .act=${this.act}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
@@ -104,10 +110,15 @@ export class WireApp extends LitElement {
           @look-change=${this.changeLook}
           @see-through=${this.seeThrough}
         ></wire-stage>
+        <div class="tool-buttons">
+          <button ?hidden=${isHidden(now, "glass")} ?disabled=${!studio.can(glass)} aria-pressed=${String(now.tool === "glass")} title=${msg("Open the optimiser, or close it (G)")} @click=${() => this.act(glass)}>${icons.glass} <span>${msg("Glass box")}</span></button>
+        </div>
         ${this.narrow.matches ? nothing : this.timeLine()}
+        ${tool ? html`<div class="tool" role="region" aria-label=${msg("Beside the stage")}>${tool.panel(now, this.narrow.matches)}</div>` : nothing}
+        ${tool?.under && !this.narrow.matches ? html`<div class="under">${tool.under(now)}</div>` : nothing}
         ${parts?.editor?.(ofTask) ?? nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
-        <div class="right" ?hidden=${now.tool === null && RIGHT.every((part) => isHidden(now, part))}>
+        <div class="right" ?hidden=${RIGHT.every((part) => isHidden(now, part))}>
           <run-panel ?inert=${isLocked(now, "run")} ?hidden=${isHidden(now, "run") || (this.narrow.matches && this.tab === LESSON_TAB)} .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
           <section id="part-run" role=${this.panel()} aria-label="Run and match" ?inert=${isLocked(now, "result")} ?hidden=${this.folded("run") || isHidden(now, "result")} @look-from=${this.lookFrom} @mark=${this.mark}>
             ${this.narrow.matches ? this.timeLine() : nothing}
@@ -135,7 +146,7 @@ export class WireApp extends LitElement {
             </settings-panel>
           </section>
         </div>
-        ${this.narrow.matches && this.shownTabs.length > 1 ? tabs(this.tab, panel, (tab) => (this.tab = tab), this.shownTabs) : nothing}
+        ${this.narrow.matches && (tool || this.shownTabs.length > 1) ? tabs(tool ? null : this.tab, panel, (tab) => this.choose(tab), this.shownTabs) : nothing}
       </main>
       <drop-hint ?locked=${!idle || isLocked(now, "files") || isLocked(now, "leave")} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region .tasks=${tasks}></live-region>
@@ -188,10 +199,7 @@ export class WireApp extends LitElement {
     addEventListener("focus", () => this.seen(), { signal });
     addEventListener(
       "theme-change",
-      () => {
-        this.result.recolour();
-        this.comparison.recolour();
-      },
+      () => this.result.recolour(),
       { signal },
     );
     document.addEventListener("visibilitychange", () => document.hidden || this.seen(), { signal });
@@ -235,7 +243,34 @@ export class WireApp extends LitElement {
   }
 
   private folded(tab: Tab): boolean {
-    return this.narrow.matches && tab !== this.tab;
+    return this.narrow.matches && (tab !== this.tab || this.isTooled);
+  }
+
+  private choose(tab: Tab): void {
+    this.tab = tab;
+    this.studio.act(useTool, null);
+  }
+
+  /** Whether a tool lies open. */
+  private get isTooled(): boolean {
+    return this.now.tool !== null && this.tools[this.now.tool] !== undefined;
+  }
+
+  protected override willUpdate(): void {
+    this.toggleAttribute("tooled", this.isTooled);
+  }
+
+  /** What a tool brings comes when it is first opened. */
+  private async openTool(tool: Tool): Promise<void> {
+    const load = TOOL_PARTS[tool];
+    if (this.tools[tool] || !load) return;
+    try {
+      const { open } = await load();
+      this.tools = { ...this.tools, [tool]: this.tools[tool] ?? open(this.studio, this.stage) };
+    } catch (error) {
+      this.studio.act(useTool, null);
+      this.studio.warn(explain(error, "This part of the page"));
+    }
   }
 
   private follow(now: StudioState): void {
@@ -247,6 +282,7 @@ export class WireApp extends LitElement {
       // What was looked through during the run stays so.
       if (this.throughNow !== null) queueMicrotask(() => this.throughNow !== null && this.see(this.throughNow));
     }
+    if (now.tool && now.tool !== before.tool) void this.openTool(now.tool);
     if (hasJustMade(before, now)) this.stage.tour();
     if (now.doc.task !== before.doc.task) this.turnTo(now.doc.task);
     if (now.lesson !== before.lesson) void this.teach(before.lesson, now.lesson);

@@ -118,6 +118,14 @@ export const lessonPanelStyle = css`
   .wide {
     width: 100%;
   }
+  .going {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 8px;
+  }
+  .going button {
+    flex: 1 1 auto;
+  }
   .running p {
     min-height: 18px;
     margin-block-start: 4px;

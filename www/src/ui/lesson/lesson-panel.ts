@@ -1,7 +1,7 @@
 import { LOCALE_STATUS_EVENT, msg, str } from "@lit/localize";
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import { run, stop } from "../../state/actions/actions";
+import { pause, run, step, stop } from "../../state/actions/actions";
 import { isLocked } from "../../state/common/locks";
 import { stepOf, type Kind, type LessonState, type Step } from "../../state/lesson/lesson";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
@@ -141,7 +141,11 @@ export class LessonPanel extends Part {
     return html`<div class="running">
       ${idle
         ? html`<button class="primary wide" ?disabled=${!studio.can(run)} @click=${() => studio.act(run)}>${icons.run} ${msg("Run")}</button>`
-        : html`<button class="wide" ?disabled=${!studio.can(stop)} @click=${() => studio.act(stop)}>${icons.stop} ${msg("Stop")}</button>`}
+        : html`<div class="going">
+            <button ?disabled=${!studio.can(stop)} @click=${() => studio.act(stop)}>${icons.stop} ${msg("Stop")}</button>
+            <button ?disabled=${!studio.can(pause)} @click=${() => studio.act(pause)}>${state.phase === "paused" ? msg("Go on") : msg("Pause")}</button>
+            <button ?disabled=${!studio.can(step)} @click=${() => studio.act(step)}>${msg("Step")}</button>
+          </div>`}
       <p class="small quiet">${idle ? nothing : html`${words} <span class="percent">${new Intl.NumberFormat(document.documentElement.lang, { style: "percent" }).format(share)}</span>`}</p>
     </div>`;
   }

@@ -36,6 +36,7 @@ import eraser from "lucide-static/icons/eraser.svg?raw";
 import flip from "lucide-static/icons/flip-vertical-2.svg?raw";
 import turnCcw from "lucide-static/icons/rotate-ccw-square.svg?raw";
 import turnCw from "lucide-static/icons/rotate-cw-square.svg?raw";
+import glass from "lucide-static/icons/scan-search.svg?raw";
 import search from "lucide-static/icons/search.svg?raw";
 import shapes from "lucide-static/icons/shapes.svg?raw";
 import trash from "lucide-static/icons/trash-2.svg?raw";
@@ -86,6 +87,7 @@ export const icons = {
   mirror: icon(flip),
   turnLeft: icon(turnCcw),
   turnRight: icon(turnCw),
+  glass: icon(glass),
   search: icon(search),
   shapes: icon(shapes),
   clear: icon(trash),
