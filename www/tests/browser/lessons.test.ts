@@ -6,7 +6,8 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readLesson, type Lesson } from "../../src/state/lesson/lesson";
 import { inspect } from "./a11y";
-import { choose, idle, phase, requestsElsewhere, ROOT, runButton, settled, shoot, visit, type Visit, type VisitOptions } from "./browser";
+import { choose, idle, phase, picture, requestsElsewhere, ROOT, runButton, settled, shoot, visit, type Visit, type VisitOptions } from "./browser";
+import { qrOf, qrSvg } from "../../src/ui/save/qr";
 import { inkOn } from "./pads";
 import { openSite } from "./site";
 
@@ -300,6 +301,44 @@ it("hangs a class's wires on the wall out of links, and takes them down", async 
   await wall.getByRole("button", { name: "Close the wall" }).click();
   await panel(page).getByRole("button", { name: "Open the wall" }).click();
   await expect.poll(names).toEqual(["Zoe"]);
+  await close(visited);
+});
+
+it("brings a pupil's wire to the wall by the photo of its code", async () => {
+  const visited = await open(`#lesson=spline&step=${lessonOf("spline").steps.length}`);
+  const { page } = visited;
+  await panel(page).getByRole("button", { name: "Share my wire" }).click();
+  const link = await page.locator("share-dialog #link").inputValue();
+  expect(new URL(link).hash).toMatch(/^#v=1&w=/);
+  expect(await page.evaluate(() => location.hash)).toContain("lesson=spline");
+  await page.keyboard.press("Escape");
+  // On paper, a little askew.
+  const photo = await page.evaluate(async (svg) => {
+    const image = new Image();
+    image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
+    await image.decode();
+    const canvas = new OffscreenCanvas(1200, 1000);
+    const context = canvas.getContext("2d")!;
+    context.fillStyle = "#eee";
+    context.fillRect(0, 0, 1200, 1000);
+    context.rotate(0.05);
+    context.drawImage(image, 250, 100, 700, 700);
+    return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/jpeg" })).arrayBuffer())];
+  }, qrSvg(qrOf(link)!));
+  await panel(page).getByRole("button", { name: "Open the wall" }).click();
+  const wall = page.getByRole("dialog", { name: "The wall" });
+  const scan = async (bytes: readonly number[], name: string) => wall.locator("input[type=file]").setInputFiles({ name, mimeType: "image/jpeg", buffer: Buffer.from(bytes) });
+  await scan([...(await picture(page, 400, 300, "cross", "image/jpeg"))], "no-code.jpg");
+  await expect.poll(() => wall.getByRole("status").first().textContent()).toMatch(/^No code was found/);
+  await scan(photo, "code.jpg");
+  await expect.poll(() => wall.getByRole("status").first().textContent()).toBe("One wire hangs up.");
+  expect(await wall.locator("wire-sculpture").getAttribute("code")).toBe(/w=([^&]+)/.exec(link)![1]);
+  await close(visited);
+});
+
+it("goes through a lesson where the browser keeps nothing", async () => {
+  const visited = await open("#lesson=one-wire", { storage: "blocked" });
+  await walk(visited.page, "one-wire", mouse);
   await close(visited);
 });
 
