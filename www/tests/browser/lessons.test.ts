@@ -14,7 +14,7 @@ import { openSite } from "./site";
 const { browser, site } = await openSite();
 
 const FOLDER = join(ROOT, "www/lessons");
-const IDS = readdirSync(FOLDER);
+const IDS = readdirSync(FOLDER).filter((name) => !name.includes("."));
 const lessonOf = (id: string): Lesson => readLesson(JSON.parse(readFileSync(join(FOLDER, id, "lesson.json"), "utf8")));
 const textsOf = (id: string): Readonly<Record<string, string>> => JSON.parse(readFileSync(join(FOLDER, id, "texts.en.json"), "utf8")) as Readonly<Record<string, string>>;
 const codeOf = (job: string): string => readFileSync(join(ROOT, "www/src/tasks", job, "example/wire.code"), "utf8").trim();

@@ -10,7 +10,7 @@ import { requestsElsewhere, ROOT, visit, type Visit } from "./browser";
 import { openSite } from "./site";
 
 const { browser, site } = await openSite("/some/where/wire4d/");
-const IDS = readdirSync(join(ROOT, "www/lessons"));
+const IDS = readdirSync(join(ROOT, "www/lessons")).filter((name) => !name.includes("."));
 
 let visited: Visit;
 let page: Page;

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { openedAt, readLesson, textKeys, type Lesson } from "./lesson";
 
 const FOLDER = join(import.meta.dirname, "../../../lessons");
-const ids = readdirSync(FOLDER);
+const ids = readdirSync(FOLDER).filter((name) => !name.includes("."));
 const json = (...path: string[]): unknown => JSON.parse(readFileSync(join(FOLDER, ...path), "utf8"));
 
 const STEP = { id: "a", kind: "read" };

@@ -34,7 +34,7 @@ export class TopBar extends Part {
       ${isHidden(this.state, "tabs")
         ? html`<span class="tasks"></span>`
         : taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
-      ${isHidden(this.state, "gallery") ? nothing : html`<a class="gallery" href="./gallery.html">Gallery</a> <a class="gallery" href="./teachers.html">Lessons</a>`}
+      ${isHidden(this.state, "gallery") ? nothing : html`<a class="gallery" href="./gallery.html">Gallery</a> <a class="gallery lessons" href="./teachers.html">Lessons</a>`}
       <div class="tools">
         ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
         <button class="share" ?hidden=${isHidden(this.state, "share")} ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} Share</button>
