@@ -129,9 +129,10 @@ export class Studio implements Parts {
   /** Lessons and what a link asks for a class, which come when an address first names them; true where that is all it asks. */
   private async teach(hash: string): Promise<boolean> {
     if (!this.lessons && !namesClass(hash)) return false;
-    const { Lessons } = await import("./teaching/lessons");
+    const module = await import("./teaching/lessons").catch((error: unknown) => this.warn(explain(error, "The lesson")));
+    if (!module) return false;
     const { bench, tasks, opener, receiver, runs } = this;
-    this.lessons ??= new Lessons({
+    this.lessons ??= new module.Lessons({
       bench,
       tasks,
       opener,

@@ -157,8 +157,9 @@ export class LessonPanel extends Part {
         ${document.fullscreenEnabled && !document.fullscreenElement ? html`<button @click=${() => void document.documentElement.requestFullscreen()}>${msg("Full screen")}</button>` : nothing}
         <button @click=${() => this.studio.lessons?.restart()}>${icons.reset} ${msg("From the beginning")}</button>
       </div>
-      <div class="idle" role="alert" ?hidden=${secondsLeft === null}>
-        ${secondsLeft === null ? nothing : html`<b>${secondsLeft}</b><p>${msg("Still there? Touch anywhere to go on, or the lesson begins anew.")}</p>`}
+      <div class="idle" ?hidden=${secondsLeft === null}>
+        <!-- The seconds are for eyes alone: to read them all out would say nothing else. -->
+        ${secondsLeft === null ? nothing : html`<b aria-hidden="true">${secondsLeft}</b><p role="alert">${msg("Still there? Touch anywhere to go on, or the lesson begins anew.")}</p>`}
       </div>`;
   }
 
