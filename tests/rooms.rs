@@ -29,6 +29,7 @@ const ORDER: &[&str] = &[
     // Crates beside all of these: they use the core alone, and of them only the command line knows them.
     "model",
     "guidance",
+    "photograph",
 ];
 
 fn level(room: &str) -> Option<usize> {

@@ -3,6 +3,7 @@ import { defineConfig } from "vitest/config";
 import { embedPage } from "./plugins/embed-page.ts";
 import { gallery } from "./plugins/gallery.ts";
 import { includes } from "./plugins/includes.ts";
+import { offline } from "./plugins/offline.ts";
 import { openGraph } from "./plugins/open-graph.ts";
 import { policies } from "./plugins/policies.ts";
 
@@ -36,7 +37,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [includes, gallery, embedPage(), policies, openGraph(), wireSculpture],
+  plugins: [includes, gallery, embedPage(), policies, openGraph(), wireSculpture, offline],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {

@@ -184,10 +184,11 @@ pub fn command() -> Command {
                         .help("What computes it"),
                 ),
         )
+        .subcommand(crate::photograph::command())
         .subcommand(Command::new("device").about("What computes the fit, its limits and whether it checks out"))
 }
 
-fn file(name: &'static str, help: &'static str) -> Arg {
+pub fn file(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name).value_parser(value_parser!(PathBuf)).help(help).value_name("FILE")
 }
 
@@ -206,7 +207,7 @@ fn overwrite() -> Arg {
         .help("Replace what an earlier run left in the folder")
 }
 
-fn wire() -> Arg {
+pub fn wire() -> Arg {
     file("wire", "A wire.json").value_name("WIRE").required(true)
 }
 

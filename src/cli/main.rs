@@ -8,6 +8,7 @@ mod guiding;
 mod likeness;
 mod making;
 mod multiview;
+mod photograph;
 mod raster;
 mod stroke;
 mod wires;
@@ -47,6 +48,7 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
         Some(("export", matches)) => wires::export(matches),
         Some(("share", matches)) => wires::share(matches),
         Some(("open", matches)) => wires::open(matches),
+        Some(("photograph", matches)) => photograph::run(matches),
         Some(("raster", matches)) => raster::run(matches),
         Some(("device", matches)) => wires::device(matches),
         _ => unreachable!("clap asks for a known verb"),

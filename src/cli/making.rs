@@ -29,15 +29,8 @@ pub struct Making {
 impl Making {
     /// Ctrl-C stops the run and keeps what there is; a second one ends the program. Without a handler the first does.
     pub fn new(folder: &Folder, quiet: bool) -> Making {
-        let stop = Arc::new(AtomicBool::new(false));
-        let seen = Arc::clone(&stop);
         let partial = folder.partial().to_owned();
-        let _ = ctrlc::set_handler(move || {
-            if seen.swap(true, Ordering::Relaxed) {
-                let _ = std::fs::remove_dir_all(&partial);
-                std::process::exit(130);
-            }
-        });
+        let stop = stop_by_hand(move || drop(std::fs::remove_dir_all(&partial)));
         Making { bar: progress_bar(quiet), quiet, stop, begin: Instant::now() }
     }
 
@@ -87,6 +80,19 @@ impl Making {
         }
         Ok((time, guided))
     }
+}
+
+/// Is set by Ctrl-C; a second one ends the program after `clean`. Without a handler the first does.
+pub fn stop_by_hand(clean: impl Fn() + Send + 'static) -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let seen = Arc::clone(&stop);
+    let _ = ctrlc::set_handler(move || {
+        if seen.swap(true, Ordering::Relaxed) {
+            clean();
+            std::process::exit(130);
+        }
+    });
+    stop
 }
 
 /// The best wire of a run with how it was found and what it was made of: the arranged pictures, and what else was `given`.
@@ -140,7 +146,7 @@ pub fn save_picture(folder: &Folder, name: &str, suffix: &str, picture: &Image, 
     folder.write(&file, &encode_png(&file, picture, depth)?)
 }
 
-fn progress_bar(quiet: bool) -> ProgressBar {
+pub fn progress_bar(quiet: bool) -> ProgressBar {
     // Indicatif draws on standard error and only if it is a terminal.
     let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new(100) };
     if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}") {

@@ -152,7 +152,7 @@ fn print_json<T: serde::Serialize>(value: &T) -> Result<()> {
 }
 
 /// The wire of any file that carries one.
-fn read_wire(path: &Path) -> Result<Sculpture> {
+pub fn read_wire(path: &Path) -> Result<Sculpture> {
     let name = path.display().to_string();
     let remedy = "give a wire.json, or a PNG, SVG or GLB that Wire4D saved";
     match read_at_most(path, export::MAX_CARRIER_BYTES) {

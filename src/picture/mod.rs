@@ -30,4 +30,4 @@ pub use read::{decode_picture, read_depth, read_picture};
 pub use reading::Reading;
 pub use strokes::Ink;
 #[cfg(feature = "files")]
-pub use write::{GreyDepth, encode_png, write_png};
+pub use write::{GreyDepth, encode_colour_png, encode_png, write_png};

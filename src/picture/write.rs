@@ -2,7 +2,7 @@
 
 use crate::view::Image;
 use crate::{Error, Result, files::write_whole};
-use image::{ImageBuffer, ImageFormat, Luma};
+use image::{ImageBuffer, ImageFormat, Luma, Rgb};
 use std::{io::Cursor, path::Path};
 
 /// Grey levels a PNG file has.
@@ -42,6 +42,22 @@ pub fn encode_png(name: &str, picture: &Image, depth: GreyDepth) -> Result<Vec<u
         Some(Err(problem)) => Err(fail(&format!("cannot be encoded ({problem})"))),
         None => Err(fail("has fewer values than pixels")),
     }
+}
+
+/// The bytes of a PNG in colours: `rgb` has 3 bytes a pixel, sRGB, rows from the top.
+///
+/// # Errors
+/// As [`encode_png`].
+pub fn encode_colour_png(name: &str, [width, height]: [usize; 2], rgb: Vec<u8>) -> Result<Vec<u8>> {
+    let fail = |problem: &str| Error::output(name, problem, "render at 1 to 8192 px a side");
+    let mut bytes = Cursor::new(Vec::new());
+    let buffer = match (u32::try_from(width), u32::try_from(height)) {
+        (Ok(width), Ok(height)) => ImageBuffer::<Rgb<u8>, _>::from_raw(width, height, rgb),
+        _ => None,
+    };
+    let buffer = buffer.ok_or_else(|| fail("has fewer values than pixels"))?;
+    buffer.write_to(&mut bytes, ImageFormat::Png).map_err(|problem| fail(&format!("cannot be encoded ({problem})")))?;
+    Ok(bytes.into_inner())
 }
 
 /// Writes a grey PNG whole or not at all.

@@ -5,8 +5,9 @@
 
 import { createHash } from "node:crypto";
 import { basename } from "node:path";
-import { build, type Plugin } from "vite";
+import type { Plugin } from "vite";
 import { inScript } from "../src/ui/save/markup.ts";
+import { bundled } from "./bundled.ts";
 import { policyTag } from "./policies.ts";
 
 const PAGE = "embed.html";
@@ -57,16 +58,3 @@ export function embedPage(): Plugin[] {
 }
 
 const hash = (text: string): string => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
-
-async function bundled(entry: string): Promise<string> {
-  const built = await build({
-    configFile: false,
-    logLevel: "error",
-    publicDir: false,
-    build: { write: false, target: "es2022", minify: true, rolldownOptions: { input: entry, output: { codeSplitting: false } }, modulePreload: false },
-  });
-  const { output } = (Array.isArray(built) ? built[0]! : built) as { output: { type: string; code?: string; fileName: string }[] };
-  const [chunk, ...more] = output;
-  if (chunk?.code === undefined || more.length > 0) throw new Error(`embed.html must be one script; it came as ${output.map(({ fileName }) => fileName).join(", ")}`);
-  return chunk.code;
-}

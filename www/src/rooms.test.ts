@@ -14,6 +14,7 @@ const SCULPTURE_ROOMS: readonly string[] = ["scene", "share", "film", "element"]
  * same order. What of a task brings no elements lies in its folder and comes before `ui`; its elements lie in `parts/`.
  */
 const ROOMS: readonly string[] = [
+  "offline",
   "guidance",
   "film",
   "engine",

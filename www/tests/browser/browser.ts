@@ -20,7 +20,7 @@ export const SHOTS = join(ROOT, "target/screenshots");
 
 const TYPES: Readonly<Record<string, string>> = {
   ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
-  ".png": "image/png", ".svg": "image/svg+xml", ".woff2": "font/woff2", ".webp": "image/webp", ".json": "application/json",
+  ".png": "image/png", ".svg": "image/svg+xml", ".woff2": "font/woff2", ".webp": "image/webp", ".json": "application/json", ".webmanifest": "application/manifest+json",
 };
 /** What a host need not compress once more. */
 const PACKED = new Set([".png", ".woff2", ".webp"]);
@@ -38,7 +38,7 @@ export interface Site {
 }
 
 /** A plain static server that compresses and lets other pages read, as most hosts do; the folder lies under `prefix`, and nothing else is there. */
-export async function serveDist(prefix: string, folder = DIST): Promise<Site> {
+export async function serveDist(prefix: string, folder = DIST, port = 0): Promise<Site> {
   const sent: Sent[] = [];
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname);
@@ -56,7 +56,7 @@ export async function serveDist(prefix: string, folder = DIST): Promise<Site> {
     const headers = { "content-type": TYPES[kind] ?? "application/octet-stream", "content-length": body.length, vary: "accept-encoding", "access-control-allow-origin": "*" };
     response.writeHead(200, packs ? { ...headers, "content-encoding": "gzip" } : headers).end(body);
   });
-  await new Promise<void>((ready) => server.listen(0, "127.0.0.1", ready));
+  await new Promise<void>((ready) => server.listen(port, "127.0.0.1", ready));
   return { url: `http://127.0.0.1:${(server.address() as AddressInfo).port}${prefix}`, server, sent };
 }
 
@@ -129,7 +129,8 @@ export async function visit(where: Browser | BrowserContext, url: string, option
 /** A profile that outlives its pages: what one visit keeps, the next one finds. */
 export function contextWithProfile(browser: Browser, options: VisitOptions = {}): Promise<BrowserContext> {
   const { slower: _slower, rightToLeft: _rtl, storage: _storage, webgl2: _webgl2, worker: _worker, webgpu: _webgpu, inEngine: _inEngine, ...known } = options;
-  return browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...known });
+  // What a worker of the page's own answers, no test could stand in for.
+  return browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", serviceWorkers: "block", ...known });
 }
 
 /** What a visit asked of anybody but the folder that the page lies in. */

@@ -6,6 +6,7 @@ mod guiding;
 mod likeness;
 #[path = "../../../../tests/support/notice/mod.rs"]
 mod notice;
+mod photograph;
 mod verbs;
 
 /// Where `tests/drawings` and `tests/field` lie.

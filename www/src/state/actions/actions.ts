@@ -70,6 +70,9 @@ export const chooseTask: Action<[task: string]> = { id: "choose-task", part: "ta
 /** This tab keeps the project from now on. */
 export const keepHere: Action = { id: "keep-here", label: "Keep it here instead", act: ({ project }) => project.keepHere() };
 
+/** Not while anything is under way: the page starts anew with it. */
+export const loadNew: Action = { id: "load-new", label: "Load it", can: (state) => isIdle(state) && state.loadNew !== null, act: ({ bench: { store } }) => store.get().loadNew?.() };
+
 /** Closes what the person has read: a notice, or the problem. */
 export const dismiss: Action<[notice: string]> = {
   id: "dismiss",

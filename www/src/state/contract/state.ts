@@ -128,6 +128,8 @@ export interface BaseState extends ProjectState {
   readonly problem: string;
   /** What a person should know though nothing is wrong, until they close it. */
   readonly notices: readonly string[];
+  /** Shows the new version of the page that is ready; null where none is. */
+  readonly loadNew: (() => void) | null;
   /** A short word about what was just done, such as "Link copied". */
   readonly said: string;
 }
@@ -168,6 +170,7 @@ export function firstState(tasks: readonly TaskState[]): BaseState {
     locks: NO_LOCKS,
     problem: "",
     notices: [],
+    loadNew: null,
     said: "",
   };
 }

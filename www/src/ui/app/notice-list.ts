@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { continueUnfinished, dismiss, dropUnfinished, keepHere } from "../../state/actions/actions";
+import { continueUnfinished, dismiss, dropUnfinished, keepHere, loadNew } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
 import { count } from "../../state/common/count";
 import { Part } from "../../view/part";
@@ -86,6 +86,9 @@ export class NoticeList extends Part {
             html`<button class="primary" @click=${() => this.studio.act(continueUnfinished)}>${continueUnfinished.label}</button>
               <button @click=${() => this.studio.act(dropUnfinished)}>${dropUnfinished.label}</button>`,
           )
+        : nothing}
+      ${this.state.loadNew && phase === "idle" && !lesson
+        ? this.notice("A new version of this page is ready.", html`<button @click=${() => this.studio.act(loadNew)}>${loadNew.label}</button>`)
         : nothing}
       ${keeping === "elsewhere" && !lesson
         ? this.notice(
