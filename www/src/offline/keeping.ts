@@ -21,6 +21,8 @@ export async function keepOffline(hears: Hears): Promise<void> {
     console.info(error);
     return;
   }
+  // Some that block it answer with nothing at all.
+  if (!registration) return;
   let isAsked = false;
   const load = (): void => {
     isAsked = true;
