@@ -8,7 +8,7 @@ import { openGraph } from "./plugins/open-graph.ts";
 import { policies } from "./plugins/policies.ts";
 
 /** Each a page of its own. */
-const PAGES = ["index.html", "embed.html", "docs.html", "gallery.html"];
+const PAGES = ["index.html", "embed.html", "docs.html", "gallery.html", "teachers.html"];
 
 const ELEMENT = "packages/wire-sculpture";
 
@@ -29,7 +29,7 @@ const wireSculpture: Plugin = {
  * What every visit needs of state and of tasks is one script: in pieces it would be larger. Elements come by the columns
  * that they are in, and later comes what is only wanted later.
  */
-const isOfStudio = (id: string): boolean => /\/src\/(state|tasks)\/.*\.ts$/.test(id) && !/\/(parts|example|engine)\/|\/(help|png16|rare)\./.test(id);
+const isOfStudio = (id: string): boolean => /\/src\/(state|tasks)\/.*\.ts$/.test(id) && !/\/(parts|example|engine|teaching)\/|\/lesson\/(reading|lesson|asked)\.|\/(help|png16|rare)\./.test(id);
 
 /** A script that is left as it came ends in `.js`: not every host knows `.mjs` for a script. */
 const assetFileNames = ({ names }: { readonly names: readonly string[] }): string => `assets/[name]-[hash]${names[0]?.endsWith(".mjs") ? ".js" : "[extname]"}`;

@@ -3,6 +3,7 @@
 
 mod crew;
 mod guidance;
+mod insight;
 mod made;
 mod pictures;
 mod preview;

@@ -5,6 +5,7 @@ use crate::guidance::{
     Asks, Contexts, DenoiserObject, DiffusionOptions, EncoderObject, GuidanceFunction, Networks, Vectors, WordsOptions,
     by_diffusion, by_words,
 };
+use crate::insight::Insight;
 use crate::made::{Made, WireData};
 use crate::pictures::{DrawingSet, Ink, ViewTarget};
 use crate::subject::Subject;
@@ -292,6 +293,11 @@ impl Run {
     /// The wire as it is now.
     pub fn wire(&self) -> WireData {
         WireData(self.session().wire())
+    }
+
+    /// What pulls at the wire as it is now, and how its views compare at every scale. It changes no bit of the run.
+    pub fn insight(&self) -> Insight {
+        Insight(self.session().insight())
     }
 
     /// The whole state, for [`Run::resume`], [`Run::resume_stroke`] or [`Run::resume_fill`].

@@ -69,11 +69,15 @@ impl<R: Real> MultiscaleMse<R> {
         self.levels.len()
     }
 
-    /// The loss times `weight` with level weights `level_ratio`^l, and its gradient to `image`, one value a pixel.
-    pub fn evaluate(&mut self, image: &[R], target: &[R], level_ratio: R, weight: R) -> (R, &[R]) {
-        for ((difference, &i), &t) in self.levels[0].values.iter_mut().zip(image).zip(target) {
-            *difference = i - t;
-        }
+    /// A picture at every level, finest first: width, height and values, one a pixel.
+    pub fn levels_of(&mut self, picture: &[R]) -> impl Iterator<Item = (usize, usize, &[R])> {
+        self.levels[0].values.copy_from_slice(picture);
+        self.coarsen();
+        self.levels.iter().map(|level| (level.width, level.height, &level.values[..]))
+    }
+
+    /// Makes all coarser levels from the finest one.
+    fn coarsen(&mut self) {
         for l in 1..self.levels.len() {
             let (below, above) = self.levels.split_at_mut(l);
             let (below, above) = (&below[l - 1], &mut above[0]);
@@ -82,6 +86,14 @@ impl<R: Real> MultiscaleMse<R> {
                 Pyramid::AveragePool => pool(below, above),
             }
         }
+    }
+
+    /// The loss times `weight` with level weights `level_ratio`^l, and its gradient to `image`, one value a pixel.
+    pub fn evaluate(&mut self, image: &[R], target: &[R], level_ratio: R, weight: R) -> (R, &[R]) {
+        for ((difference, &i), &t) in self.levels[0].values.iter_mut().zip(image).zip(target) {
+            *difference = i - t;
+        }
+        self.coarsen();
         let (mut loss, mut level_weight) = (R::zero(), weight);
         for level in &mut self.levels {
             let share = level_weight / R::from_f64(level.values.len() as f64);

@@ -125,6 +125,25 @@ impl Step {
         self.elastic.is_on() || self.clearance.weight > 0.0
     }
 
+    /// The same with no weight on what is about the curve but on `term`.
+    pub(super) fn of_curve_only(&self, term: Term) -> Step {
+        let only = |of: Term, weight: f32| if of == term { weight } else { 0.0 };
+        Step {
+            jerk_position: only(Term::Jerk, self.jerk_position),
+            jerk_width: only(Term::Jerk, self.jerk_width),
+            length: only(Term::Length, self.length),
+            surface: only(Term::Surface, self.surface),
+            elastic: Elastic {
+                bending: only(Term::Bending, self.elastic.bending),
+                tightness: only(Term::Tightness, self.elastic.tightness),
+                evenness: only(Term::Evenness, self.elastic.evenness),
+                ..self.elastic
+            },
+            clearance: Clearance { weight: only(Term::Clearance, self.clearance.weight), ..self.clearance },
+            ..*self
+        }
+    }
+
     /// Whether the last wire is the best one: losses of pictures alone say little of a wire that is to be more than that,
     /// or of one that is looked at from other sides every time, or with other eyes.
     pub fn keeps_last(&self) -> bool {

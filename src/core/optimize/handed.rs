@@ -53,33 +53,45 @@ impl Session {
 
     /// Hands the present stage, wire and targets to the engine.
     pub(super) async fn load(&mut self) {
-        let stage = self.stage().clone();
         if let Some(bender) = self.bender.take() {
             self.fields = bender.into_fields();
         }
         let mut inks = self.fitted_inks(&self.problem.targets);
-        if let Some(bending) = &self.problem.recipe.bending {
-            let bender = Bender::new(bending.clone(), &inks, std::mem::take(&mut self.fields));
-            for (v, ink) in inks.iter_mut().enumerate() {
-                ink.data.copy_from_slice(bender.bent(v));
-            }
-            self.bender = Some(bender);
-        }
-        let Problem { targets, occluders, texture_masks, .. } = &self.problem;
-        let views = self.views(targets, occluders, texture_masks, inks);
-        let scene = Scene {
-            raster: stage.raster,
-            pyramid: self.problem.recipe.pyramid,
-            planes: self.planes(),
-            texture: self.problem.texture.clone(),
-            guides: self.guides.clone(),
-            nodes: self.nodes(),
-            neighbours: self.find_neighbours()(),
-            ..Scene::new(&self.wire, stage.samples_per_span, views)
-        };
+        self.bender = self.bend_inks(&mut inks);
+        let scene = Scene { guides: self.guides.clone(), ..self.scene(inks, &self.plane_points, &self.strand_points) };
         self.engine.load(scene).done().await;
         self.loaded = true;
         self.unseen = !self.ahead.is_empty();
+    }
+
+    /// Bends targets of the size that is fitted as far as they are bent now; what goes on bending them, if anything does.
+    pub(super) fn bend_inks(&self, inks: &mut [Image]) -> Option<Bender> {
+        let bending = self.problem.recipe.bending.clone()?;
+        let fields = match &self.bender {
+            Some(bender) => bender.fields().cloned().collect(),
+            None => self.fields.clone(),
+        };
+        let bender = Bender::new(bending, inks, fields);
+        for (v, ink) in inks.iter_mut().enumerate() {
+            ink.data.copy_from_slice(bender.bent(v));
+        }
+        Some(bender)
+    }
+
+    /// The present stage and wire with `inks` to show, guided by nothing else; planes and neighbours as found at those control points.
+    pub(super) fn scene(&self, inks: Vec<Image>, plane_points: &[[f32; 4]], strand_points: &[[f32; 4]]) -> Scene {
+        let stage = self.stage();
+        let Problem { targets, occluders, texture_masks, .. } = &self.problem;
+        let views = self.views(targets, occluders, texture_masks, inks);
+        Scene {
+            raster: stage.raster,
+            pyramid: self.problem.recipe.pyramid,
+            planes: self.planes(plane_points),
+            texture: self.problem.texture.clone(),
+            nodes: self.nodes(),
+            neighbours: self.find_neighbours(strand_points)(),
+            ..Scene::new(&self.wire, stage.samples_per_span, views)
+        }
     }
 
     /// What the engine is told of what is to be seen from here on.
@@ -94,7 +106,7 @@ impl Session {
     }
 
     /// Every target at the size that is fitted, not bent.
-    fn fitted_inks(&self, targets: &[Target]) -> Vec<Image> {
+    pub(super) fn fitted_inks(&self, targets: &[Target]) -> Vec<Image> {
         let fitted = |target: &Target| {
             let (width, height) = fitted_size(target, self.stage());
             if (width, height) == (target.ink.width, target.ink.height) {
@@ -130,12 +142,12 @@ impl Session {
         targets.iter().zip(inks).enumerate().map(view).collect()
     }
 
-    /// Planes that touch the surface, if there is one to be kept on, next to the samples at `plane_points`.
-    pub(super) fn planes(&self) -> Vec<[f32; 4]> {
+    /// Planes that touch the surface, if there is one to be kept on, next to the samples at these control points.
+    pub(super) fn planes(&self, points: &[[f32; 4]]) -> Vec<[f32; 4]> {
         let Some(surface) = &self.problem.surface else { return Vec::new() };
         let (sampling, _) = self.wire.sampling_map::<f32>(self.stage().samples_per_span, true);
         let mut samples = Vec::new();
-        sampling.apply(&self.plane_points, &mut samples);
+        sampling.apply(points, &mut samples);
         surface.planes(&samples)
     }
 
@@ -144,10 +156,10 @@ impl Session {
         self.problem.recipe.smooth.as_ref().map(|smooth| self.wire.nodes(smooth.nodes_per_span))
     }
 
-    /// Who may come too near whom, as seen at `strand_points`.
-    pub(super) fn find_neighbours(&self) -> FindNeighbours {
+    /// Who may come too near whom, as seen at these control points.
+    pub(super) fn find_neighbours(&self, points: &[[f32; 4]]) -> FindNeighbours {
         let Some(smooth) = &self.problem.recipe.smooth else { return Box::new(Neighbours::default) };
-        let (wire, points, nodes_per_span) = (self.wire.clone(), self.strand_points.clone(), smooth.nodes_per_span);
+        let (wire, points, nodes_per_span) = (self.wire.clone(), points.to_vec(), smooth.nodes_per_span);
         let (one_strand, slack) = smooth.watch(self.px_256);
         let clearance = smooth.clearance(0.0, self.px_256, 0.0);
         Box::new(move || {
@@ -159,11 +171,11 @@ impl Session {
         })
     }
 
-    /// Mean speed along the wire at `strand_points`, world units a knot unit.
-    pub(super) fn measured_speed(&self) -> f32 {
+    /// Mean speed along the wire with these control points, world units a knot unit.
+    pub(super) fn measured_speed(&self, points: &[[f32; 4]]) -> f32 {
         let Some(nodes) = self.nodes() else { return 0.0 };
         let mut first = Vec::new();
-        nodes.first.apply(&self.strand_points, &mut first);
+        nodes.first.apply(points, &mut first);
         let (start, end) = self.wire.domain();
         let length: f32 = nodes.lengths(&first).iter().sum();
         // A wire that has shrunk to a point still has a scale.

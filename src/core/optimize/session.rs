@@ -290,17 +290,15 @@ impl Session {
     async fn prepare(&mut self) {
         let (index, start) = self.stage_index();
         let i = self.iteration;
-        let planes_due = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
+        let [planes_due, strands_due] = self.looks_round();
         if planes_due {
             self.plane_points.clone_from(&self.state.points);
         }
-        let strands_due =
-            self.problem.recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every) || i == start);
         if strands_due {
             self.strand_points.clone_from(&self.state.points);
         }
         if strands_due || self.speed == 0.0 {
-            self.speed = self.measured_speed();
+            self.speed = self.measured_speed(&self.strand_points);
         }
         if i == start {
             self.load().await;
@@ -311,11 +309,11 @@ impl Session {
             self.load().await;
         } else {
             if planes_due {
-                let planes = self.planes();
+                let planes = self.planes(&self.plane_points);
                 self.engine.set_planes(planes);
             }
             if strands_due {
-                let find = self.find_neighbours();
+                let find = self.find_neighbours(&self.strand_points);
                 self.engine.set_neighbours_found_by(find);
             }
         }
@@ -337,6 +335,16 @@ impl Session {
                 self.edit(&event.edit.clone()).await;
             }
         }
+    }
+
+    /// Whether planes and neighbours are looked for before the next iteration.
+    pub(super) fn looks_round(&self) -> [bool; 2] {
+        let (_, start) = self.stage_index();
+        let i = self.iteration;
+        let planes = self.problem.surface.as_ref().is_some_and(|surface| surface.is_due(i) || i == start);
+        let strands =
+            self.problem.recipe.smooth.as_ref().is_some_and(|smooth| i.is_multiple_of(smooth.every) || i == start);
+        [planes, strands]
     }
 
     /// How many iterations can be done before anything else is due.
@@ -414,7 +422,7 @@ impl Session {
     }
 
     /// The numbers of iteration `i` in world units.
-    fn numbers(&self, i: usize) -> Step {
+    pub(super) fn numbers(&self, i: usize) -> Step {
         let recipe = &self.problem.recipe;
         let progress = i as f64 / self.total() as f64;
         let half = self.half_world();
@@ -501,12 +509,12 @@ impl Session {
         }
         if self.problem.recipe.smooth.is_some() {
             self.strand_points.clone_from(&self.state.points);
-            self.speed = self.measured_speed();
+            self.speed = self.measured_speed(&self.strand_points);
         }
         if matches!(kind, EventKind::Refine | EventKind::Respace | EventKind::Thin) && count > 0 {
             self.load().await;
         } else if has_planes {
-            let planes = self.planes();
+            let planes = self.planes(&self.plane_points);
             self.engine.set_planes(planes);
         }
         self.record(kind, count);

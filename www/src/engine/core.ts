@@ -3,7 +3,7 @@
 import type { WireShape } from "#sculpture/scene/shape";
 import type { DiffusionOptions, GuidanceDenoiser, GuidanceEncoder, GuidanceNetwork, WordsOptions } from "./wasm/wire4d";
 import type { Ask } from "./crew";
-import type { Backend, Faults, Finished, Frame, Ink, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
+import type { Backend, Faults, Finished, Frame, Ink, Insight, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
 
@@ -36,6 +36,8 @@ export interface CoreRun {
   hire(ask: Ask): void;
   /** Where it is computed now: a device may be lost on the way. */
   place(): Place;
+  /** Not while it steps. */
+  insight(): Insight;
   frame(): Omit<Frame, "iterationsPerSecond"> & { readonly wire: OwnShape };
   snapshot(): Snapshot & { readonly wire: OwnShape };
   targets(): Target[];
@@ -126,6 +128,7 @@ export function pulled(run: wasm.Run, names: readonly string[] = []): CoreRun {
     hire: (ask) => run.hire(ask),
     step: async (count) => JSON.parse(await run.step(count)) as RunEvent[],
     place: () => ({ ...(JSON.parse(run.place()) as Place), ...(run.workers > 1 && { workers: run.workers }) }),
+    insight: () => taken(run.insight(), (insight) => ({ iteration: run.iteration, ...apart(insight) })),
     frame,
     snapshot: () => ({ ...frame(), checkpoint: new Blob([own(run.checkpoint())]) }),
     targets: () => targets(run),
@@ -138,6 +141,18 @@ export function pulled(run: wasm.Run, names: readonly string[] = []): CoreRun {
     troubles: () => run.guidanceTroubles(),
     finish: () => taken(run.finish(), finished),
     free: () => run.free(),
+  };
+}
+
+function apart(insight: wasm.Insight): Omit<Insight, "iteration"> {
+  const losses = insight.losses();
+  const { view_count: views } = insight;
+  return {
+    wire: shape(insight.wire()),
+    pulls: insight.terms().map((name, term) => ({ name, ofView: term < views, loss: losses[term]!, gradient: insight.gradient(term) })),
+    views: Array.from({ length: views }, (_, view) =>
+      Array.from(insight.levels(view), (loss, level) => ({ loss, seen: ink(insight.seen(view, level)), wanted: ink(insight.wanted(view, level)) })),
+    ),
   };
 }
 

@@ -93,6 +93,36 @@ export interface Snapshot {
   readonly checkpoint: Blob;
 }
 
+/** A run at one moment, taken apart. */
+export interface Insight {
+  /** Iterations done. */
+  readonly iteration: number;
+  /** The wire whose control points are pulled. */
+  readonly wire: WireShape;
+  /** What pulls: a term for each view, in the views' order, then those that are about the wire. */
+  readonly pulls: readonly TermPull[];
+  /** By view, finest scale first. */
+  readonly views: readonly (readonly LossLevel[])[];
+}
+
+/** A term of the loss. */
+export interface TermPull {
+  /** The view's, or the core's word for the term. */
+  readonly name: string;
+  readonly ofView: boolean;
+  /** Weighted. */
+  readonly loss: number;
+  /** x, y, z, width for each control point: the wire is pulled the other way. */
+  readonly gradient: Float32Array;
+}
+
+/** A view at one scale of the loss. */
+export interface LossLevel {
+  readonly loss: number;
+  readonly seen: Ink;
+  readonly wanted: Ink;
+}
+
 /** A finished wire, or one from a link or file: what can be shown, measured and saved. */
 export interface Finished {
   readonly wire: WireShape;
@@ -210,6 +240,8 @@ export interface Calls {
   place: { arguments: { backend: Backend }; answer: Place };
   /** Answered when the run has ended by itself or was stopped. `work` is as the task's engine takes it, `from` a checkpoint of a run of the same, `first` that one's first wire. */
   run: { arguments: { task: string; work: unknown; settings: SettingValues; from: Blob | null; first: WireShape | null; guide: Guide | null }; answer: Finished };
+  /** The run under way, taken apart as soon as it lets itself be asked; null where there is none, or is none by then. It changes no bit of it. */
+  insight: { arguments: object; answer: Insight | null };
   /** The ink of a drawing of our own, dark on white. Aside, since to read pixels is to wait for a busy graphics card. */
   sheet: { arguments: { drawing: Blob }; answer: Ink };
   /** The wire of a share code, read without the core: no measures, and at once. */

@@ -38,6 +38,7 @@ function runOf(iterations: number, ms = 1, snapshotMs = 0, from = 0, waitMs = 0)
     snapshot: () => ((clock += snapshotMs), { ...run.frame(), checkpoint: new Blob() }),
     targets: () => [],
     pads: () => [],
+    insight: () => ({ iteration: run.iteration, wire: wire(), pulls: [], views: [] }),
     guideByWords: () => undefined,
     guideByDiffusion: () => undefined,
     troubles: () => [],
@@ -90,6 +91,30 @@ describe("a pulled run", () => {
     expect(snapshots.length).toBeGreaterThan(2);
     // Five at a hundredth of a second each are a twentieth of the second it takes; the first and the last come on top.
     expect(snapshots.length).toBeLessThan(9);
+  });
+
+  it("lets itself be looked into between slices, at rest too, and no more when it is over", async () => {
+    const run = runOf(100);
+    const looked: (number | undefined)[] = [];
+    let pull!: Pull;
+    await pulled(run, (mine, news) => {
+      pull = mine;
+      sees(mine, news);
+      if (news.news === "snapshot" && news.snapshot.iteration === 0) void mine.insight().then((insight) => looked.push(insight?.iteration));
+      if (news.news === "frame" && looked.length === 1) mine.hear("pause");
+      else if (news.news === "snapshot" && looked.length === 1) {
+        void mine.insight().then((insight) => {
+          looked.push(insight?.iteration);
+          mine.hear("resume");
+        });
+      }
+    });
+    expect(looked[0]).toBe(0);
+    expect(looked[1]).toBeGreaterThan(0);
+    expect(looked).toHaveLength(2);
+    const late = pull.insight();
+    pull.end();
+    expect(await late).toBeNull();
   });
 
   it("pauses with all it has, does single steps, and goes on", async () => {

@@ -2,7 +2,7 @@
 
 import type { CoreRun, OwnShape } from "./core";
 import type { Ask, Crew } from "./crew";
-import type { Control, News, Place } from "./protocol";
+import type { Control, Insight, News, Place } from "./protocol";
 import { SliceLength } from "./slice-length";
 
 /** The least time between two frames. */
@@ -28,6 +28,8 @@ export class Pull {
   private framed = { at: -Infinity, iteration: -1 };
   private snapped = { iteration: -1, ms: 0 };
   private readonly hired = new Set<Ask>();
+  /** Who waits for a look into the run. */
+  private curious: ((insight: Insight | null) => void)[] = [];
 
   constructor(
     private readonly tell: (news: News, transfer?: Transferable[]) => void,
@@ -40,6 +42,19 @@ export class Pull {
     this.wake();
   }
 
+  /** The run taken apart, between two slices; null where it is over before. */
+  insight(): Promise<Insight | null> {
+    return new Promise((resolve) => {
+      this.curious.push(resolve);
+      this.wake();
+    });
+  }
+
+  /** What waits hears that there is no run any more. */
+  end(): void {
+    for (const tell of this.curious.splice(0)) tell(null);
+  }
+
   /** Resolves when the run is over or was stopped. `resumed`: the page has the state it begins with. */
   async toTheEnd(run: CoreRun, resumed: boolean): Promise<void> {
     this.lookWhere(run);
@@ -49,6 +64,7 @@ export class Pull {
     // The first one pays for all that is done for the first time.
     this.snapped.ms = 0;
     while (run.iteration < run.iterations && this.wanted !== "stop") {
+      this.answer(run);
       if (this.wanted === "pause") {
         await this.rest(run);
       } else {
@@ -65,6 +81,7 @@ export class Pull {
   private async rest(run: CoreRun): Promise<void> {
     this.snapshot(run);
     if (this.seen) this.frame(run);
+    if (this.curious.length > 0) return;
     await new Promise<void>((resolve) => (this.wake = resolve));
   }
 
@@ -90,6 +107,12 @@ export class Pull {
     while (this.pace.length > 2 && this.runningMs - this.pace[1]![0] > SPEED_MS) this.pace.shift();
     if (this.seen && now - this.framed.at >= FRAME_MS) this.frame(run);
     if (Math.floor(run.iteration / apart) > Math.floor(this.snapped.iteration / apart) && this.maySnapshot()) this.snapshot(run);
+  }
+
+  private answer(run: CoreRun): void {
+    if (this.curious.length === 0) return;
+    const insight = run.insight();
+    for (const tell of this.curious.splice(0)) tell(insight);
   }
 
   /** Whoever got ready meanwhile joins in. */

@@ -19,6 +19,7 @@ const handlers: Handlers = {
   settings: async ({ tasks }) => (await loaded()).settings(tasks),
   place: async ({ backend }) => (await loaded()).place(backend),
   run,
+  insight: async () => pull?.insight() ?? null,
   sheet: ({ drawing }) => sheetOf(drawing),
   peek: async ({ code }) => openShareCode(code),
   open: async (given) => (await loaded()).open(given),
@@ -90,6 +91,7 @@ async function run({ task, work, settings, from, first, guide }: Calls["run"]["a
       session.free();
     }
   } finally {
+    mine.end();
     pull = null;
   }
 }

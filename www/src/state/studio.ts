@@ -5,6 +5,7 @@ import { EngineClient } from "../engine/client";
 import type { Backend } from "../engine/protocol";
 import type { Action, Parts } from "./actions/action";
 import { readRenderer } from "./address/renderer";
+import { isLocked } from "./common/locks";
 import { Store } from "./common/store";
 import { explain } from "./common/words";
 import type { Bench } from "./contract/bench";
@@ -20,6 +21,7 @@ import { Placer } from "./run/placer";
 import { Runs } from "./run/runs";
 import { Saver } from "./saving/saver";
 import { Options } from "./settings/options";
+import type { Lessons } from "./teaching/lessons";
 
 export { deskOf, type Doc, type Made } from "./keeping/document";
 export { ANYWHERE, showsExample, tableOf, WHEN_HIDDEN, type PadState, type Phase, type Progress, type StudioState, type Whereabouts, type WhenHidden } from "./contract/state";
@@ -43,6 +45,8 @@ export class Studio implements Parts {
   readonly opener: Opener;
   readonly receiver: Receiver;
   readonly saver: Saver;
+  /** Null until an address has asked for one, or for a class. */
+  lessons: Lessons | null = null;
   private readonly tasks: readonly Task[];
   private readonly engine: EngineClient;
   private readonly placer: Placer;
@@ -72,7 +76,7 @@ export class Studio implements Parts {
     this.takers = by(tasks, (task) => task.open(this.bench));
     const taker = (task: string): Taker => this.takers[task]!;
     this.opener = new Opener(this.bench, tasks, this.options, taker);
-    this.receiver = new Receiver(this.bench, tasks, this.opener, taker);
+    this.receiver = new Receiver(this.bench, tasks, this.opener, taker, (hash) => this.teach(hash));
     this.saver = new Saver(this.bench, tasks, taker);
     this.store.follow(() => this.showWire());
     this.store.watch(({ doc, phase, tables }) => [doc, phase, tables], () => this.seekPlace());
@@ -88,17 +92,20 @@ export class Studio implements Parts {
     const recalled = this.project.recall();
     this.opener.await(recalled);
     // A link's wire is on the stage at once; into the document it comes as a step over what was kept.
-    const opening = this.opener.fragment(hash);
-    const asked = hash.length > 1 ? this.doc.task : null;
+    const lesson = namesLesson(hash);
+    const opening = lesson ? false : this.opener.fragment(hash);
+    const asked = hash.length > 1 && !lesson ? this.doc.task : null;
     this.runs.offer(await recalled);
     if (asked) this.opener.choose(asked);
-    if (!(await opening) && !namesBeside(hash)) await this.opener.example();
+    const taught = await this.teach(hash);
+    if (!taught && !(await opening) && !namesBeside(hash)) await this.opener.example();
     await this.engine.call("settings", { tasks: this.tasks.map(({ name }) => name) }).then(
       (tables) => this.options.learn(tables),
       (error: unknown) => this.warn(explain(error, "The engine")),
     );
     // With its settings, which are known only now.
-    await this.receiver.beside(hash);
+    if (!taught) await this.receiver.beside(hash);
+    this.lessons?.check();
   }
 
   /** Does what people can do, where it can be done now. */
@@ -106,8 +113,35 @@ export class Studio implements Parts {
     if (this.can(action)) void action.act(this, ...more);
   }
 
-  can(action: Pick<Action<never>, "can">): boolean {
-    return action.can?.(this.store.get()) ?? true;
+  can({ id, part, can }: Pick<Action<never>, "id" | "part" | "can">): boolean {
+    const state = this.store.get();
+    return !isLocked(state, part ?? id) && (can?.(state) ?? true);
+  }
+
+  /** Whether files and links are taken from outside; says so where they are not. */
+  takesFiles(): boolean {
+    const state = this.store.get();
+    const locked = isLocked(state, "files") || isLocked(state, "leave");
+    if (locked) this.warn("This page is locked for a lesson: files and links are not opened here.");
+    return !locked;
+  }
+
+  /** Lessons and what a link asks for a class, which come when an address first names them; true where that is all it asks. */
+  private async teach(hash: string): Promise<boolean> {
+    if (!this.lessons && !namesClass(hash)) return false;
+    const module = await import("./teaching/lessons").catch((error: unknown) => this.warn(explain(error, "The lesson")));
+    if (!module) return false;
+    const { bench, tasks, opener, receiver, runs } = this;
+    this.lessons ??= new module.Lessons({
+      bench,
+      tasks,
+      opener,
+      receiver,
+      runs,
+      notify: (words) => this.notify(words),
+      address: (hash) => history.replaceState(null, "", hash || location.pathname + location.search),
+    });
+    return this.lessons.open(hash);
   }
 
   task(name = this.doc.task): Task {
@@ -182,8 +216,13 @@ export class Studio implements Parts {
         const { passing } = store.get();
         store.set({ passing: { ...passing, [name]: { ...passing[name], ...change } } });
       },
-      opens: (file, name) => this.opener.opens(file, name),
+      // A file that carries a wire would take its own job along.
+      opens: async (file, name) => (isLocked(store.get(), "leave") ? false : this.opener.opens(file, name)),
       warn: (problem) => this.warn(problem),
     };
   }
 }
+
+const namesLesson = (hash: string): boolean => /[#&]lesson=/.test(hash);
+/** Whether an address has anything to say to a class. */
+const namesClass = (hash: string): boolean => /[#&](lesson|lock|hide|kiosk)=/.test(hash);

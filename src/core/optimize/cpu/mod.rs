@@ -11,7 +11,7 @@ pub use crew::{Answer, Courier};
 pub use mate::Mate;
 
 use super::engine::{Engine, FindNeighbours, Picture, Place, Scene, SceneView, State, Step, Tally};
-use super::term::Term;
+use super::term::{Term, term_count};
 use super::{RasterKind, Work, wait};
 use crate::objective::{Guides, Neighbours, Pyramid, Rendered, TextureGuidance};
 use crate::parallel;
@@ -262,6 +262,41 @@ impl CpuEngine {
         for number in crew.drop_lost() {
             views[number].draw(samples, strokes, *level_ratio);
         }
+    }
+
+    /// The loss terms at `points`, and the gradient of each on its own: in the order of a row of terms, without the total.
+    /// Together they are the gradient that [`Engine::evaluate`] tells, but for rounding. Whatever [`Guides`] there are it is
+    /// done without.
+    pub(super) fn take_apart(&mut self, points: &[[f32; 4]], step: &Step) -> (Vec<f32>, Vec<Vec<[f32; 4]>>) {
+        let zeros = || vec![[0.0; 4]; points.len()];
+        let mut terms = vec![0.0; term_count(self.views.len())];
+        let mut total = Vec::new();
+        self.evaluate_now(points, &Step { texture: 0.0, ..*step }, &mut terms, &mut total);
+        let Some(mut curve) = self.scene.take() else { return (terms, Vec::new()) };
+        let of_view = |view: &ViewEngine| {
+            let mut d_points = zeros();
+            curve.sampling.apply_transpose(&view.d_samples, &mut d_points);
+            d_points
+        };
+        let mut gradients: Vec<_> = self.views.iter().map(of_view).collect();
+        let of_pictures = self.d_points_image.clone();
+        for term in Term::ALL {
+            let mut d_points = zeros();
+            let step = step.of_curve_only(term);
+            let mut losses = curve.look(points, &self.samples, &step);
+            curve.add_to(points, &step, &mut losses, &mut d_points);
+            gradients.push(d_points);
+        }
+        self.scene = Some(curve);
+        if step.texture > 0.0 && self.texture.is_some() {
+            // Joins the pictures' way back: what that brings more is the texture's.
+            self.evaluate_now(points, step, &mut terms, &mut total);
+            let of_texture = &mut gradients[Term::Texture.at(self.views.len()) - 1];
+            for ((d, with), without) in of_texture.iter_mut().zip(&self.d_points_image).zip(&of_pictures) {
+                *d = [0, 1, 2, 3].map(|c| with[c] - without[c]);
+            }
+        }
+        (terms, gradients)
     }
 
     /// The image terms' share of the gradient last evaluated.

@@ -24,6 +24,8 @@ export interface Action<More extends readonly unknown[] = [], On = Parts> {
   readonly keys?: readonly string[];
   /** In the list of keys; without it another action with the same key speaks for it. */
   readonly help?: string;
+  /** What it is locked by, besides its own `id`. */
+  readonly part?: string;
   /** Whether its keys also count where something has keys of its own. */
   readonly everywhere?: boolean;
   /** Always, where nothing is said. */

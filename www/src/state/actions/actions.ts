@@ -1,33 +1,36 @@
 /** What people can do with the document and its runs. */
 
+import { isLocked } from "../common/locks";
 import { remember } from "../common/remember";
 import type { StudioState, Tool, WhenHidden } from "../contract/state";
+import type { Change } from "../run/variants";
 import type { Action } from "./action";
 
 const isIdle = ({ phase }: StudioState): boolean => phase === "idle";
 const isFitting = ({ phase }: StudioState): boolean => phase === "running" || phase === "paused";
 const isUnderWay = ({ phase }: StudioState): boolean => phase !== "idle" && phase !== "finishing";
 
-export const run: Action = { id: "run", label: "Run", keys: ["Space"], help: "Run, pause or go on", can: isIdle, act: ({ runs }) => runs.run() };
+export const run: Action = { id: "run", part: "run", label: "Run", keys: ["Space"], help: "Run, pause or go on", can: isIdle, act: ({ runs }) => runs.run() };
 
-export const pause: Action = { id: "pause", label: "Pause", says: ({ phase }) => (phase === "paused" ? "Go on" : "Pause"), keys: ["Space"], can: isFitting, act: ({ runs }) => runs.pause() };
+export const pause: Action = { id: "pause", part: "run", label: "Pause", says: ({ phase }) => (phase === "paused" ? "Go on" : "Pause"), keys: ["Space"], can: isFitting, act: ({ runs }) => runs.pause() };
 
-export const step: Action = { id: "step", label: "Step", can: isFitting, act: ({ runs }) => runs.step() };
+export const step: Action = { id: "step", part: "run", label: "Step", can: isFitting, act: ({ runs }) => runs.step() };
 
 /** Keeps the best wire so far. */
-export const stop: Action = { id: "stop", label: "Stop", can: isUnderWay, act: ({ runs }) => runs.stop() };
+export const stop: Action = { id: "stop", part: "run", label: "Stop", can: isUnderWay, act: ({ runs }) => runs.stop() };
 
 /** Throws the run away; the wire before it is back. */
-export const reset: Action = { id: "reset", label: "Reset", can: isUnderWay, act: ({ runs }) => runs.cancel() };
+export const reset: Action = { id: "reset", part: "run", label: "Reset", can: isUnderWay, act: ({ runs }) => runs.cancel() };
 
 /** Lays loose strokes beside the wire on the stage. */
-export const compare: Action = { id: "compare", label: "Compare with loose strokes", can: isIdle, act: ({ runs }) => runs.compare() };
+export const compare: Action = { id: "compare", part: "run", label: "Compare with loose strokes", can: isIdle, act: ({ runs }) => runs.compare() };
 
 /** Shows an earlier wire of a run, by its index; null is the newest. */
-export const lookAt: Action<[index: number | null]> = { id: "look-at", label: "Look back", act: ({ runs }, index) => runs.lookAt(index) };
+export const lookAt: Action<[index: number | null]> = { id: "look-at", part: "timeline", label: "Look back", act: ({ runs }, index) => runs.lookAt(index) };
 
 export const continueFrom: Action<[index: number]> = {
   id: "continue-from",
+  part: "timeline",
   label: "Go on from here",
   // One run at a time: what was made here waits for one of another task.
   can: ({ running, doc }) => running === null || running === doc.task,
@@ -40,6 +43,7 @@ export const dropUnfinished: Action = { id: "drop-unfinished", label: "Leave it"
 
 export const undo: Action = {
   id: "undo",
+  part: "undo",
   label: "Undo",
   says: ({ undo }) => (undo ? `Undo: ${undo}` : "Undo"),
   keys: ["Z", "Ctrl Z"],
@@ -51,6 +55,7 @@ export const undo: Action = {
 
 export const redo: Action = {
   id: "redo",
+  part: "undo",
   label: "Redo",
   says: ({ redo }) => (redo ? `Redo: ${redo}` : "Redo"),
   keys: ["Shift Z", "Ctrl Y"],
@@ -60,7 +65,7 @@ export const redo: Action = {
   act: ({ project }) => project.redo(),
 };
 
-export const chooseTask: Action<[task: string]> = { id: "choose-task", label: "What to make", act: ({ opener }, task) => opener.turnTo(task) };
+export const chooseTask: Action<[task: string]> = { id: "choose-task", part: "tabs", label: "What to make", act: ({ opener }, task) => opener.turnTo(task) };
 
 /** This tab keeps the project from now on. */
 export const keepHere: Action = { id: "keep-here", label: "Keep it here instead", act: ({ project }) => project.keepHere() };
@@ -87,4 +92,7 @@ export const setWhenHidden: Action<[choice: WhenHidden]> = {
   },
 };
 
-export const useTool: Action<[tool: Tool | null]> = { id: "use-tool", label: "Tool", act: ({ bench: { store } }, tool) => store.set({ tool }) };
+/** Lays a wire of the same run but for one thing beside the wire on the stage. */
+export const compareWith: Action<[change: Change]> = { id: "compare-with", label: "Lay it beside", can: isIdle, act: ({ runs }, change) => runs.compare(change) };
+
+export const useTool: Action<[tool: Tool | null]> = { id: "use-tool", label: "Tool", act: ({ bench: { store } }, tool) => tool !== null && isLocked(store.get(), tool) ? undefined : store.set({ tool }) };

@@ -2,11 +2,13 @@
 
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Place, SettingsTable, SettingsTables, Target, View } from "../../engine/protocol";
+import { NO_LOCKS, type Locks } from "../common/locks";
 import { remembered } from "../common/remember";
 import type { Store } from "../common/store";
 import { deskOf, type Made } from "../keeping/document";
 import type { ProjectState } from "../keeping/project";
-import type { Track } from "../keeping/track";
+import { variantOf, type Track, type Variant } from "../keeping/track";
+import type { LessonState } from "../lesson/lesson";
 
 /** What of a task the state follows from. */
 export interface TaskState<Given = unknown, Passing extends object = object> {
@@ -119,6 +121,10 @@ export interface BaseState extends ProjectState {
   readonly whenHidden: WhenHidden;
   /** Null while none is open. */
   readonly tool: Tool | null;
+  /** Null outside of lessons. */
+  readonly lesson: LessonState | null;
+  /** What the lesson, or a link for a class, keeps from being used. */
+  readonly locks: Locks;
   readonly problem: string;
   /** What a person should know though nothing is wrong, until they close it. */
   readonly notices: readonly string[];
@@ -134,8 +140,8 @@ export interface StudioState extends BaseState, Seen {
   readonly progress: Progress;
   /** The task of the run under way, which need not be the one that is looked at. */
   readonly running: string | null;
-  /** Whether loose strokes are being laid, to compare. */
-  readonly comparing: boolean;
+  /** In what the run under way differs from that of the wire that it is laid beside; null where it is laid beside none. */
+  readonly comparing: Variant | null;
   /** Whether the stage shows how a wire would run, and not the one that was made. */
   readonly planned: boolean;
   /** Whether a wire on the same way would now be bent or thickened in another manner. */
@@ -160,6 +166,8 @@ export function firstState(tasks: readonly TaskState[]): BaseState {
     where: ANYWHERE,
     whenHidden: WHEN_HIDDEN.find((choice) => choice === remembered("hidden")) ?? "go",
     tool: null,
+    lesson: null,
+    locks: NO_LOCKS,
     problem: "",
     notices: [],
     loadNew: null,
@@ -178,7 +186,7 @@ export function stateOf(base: BaseState, tasks: readonly TaskState[]): StudioSta
   const running = phase === "idle" ? null : (run.track?.task ?? null);
   const { made } = deskOf(doc);
   const stale = tasks.find(({ name }) => name === doc.task)?.stale?.(passing[doc.task]!) ?? null;
-  const follows = { phase, progress, running, comparing: running !== null && run.track?.loose === true, planned: stale === "way", restyled: stale === "look" };
+  const follows = { phase, progress, running, comparing: running === null ? null : variantOf(run.track), planned: stale === "way", restyled: stale === "look" };
   let seen: Seen = NOTHING_TO_SEE;
   if (running === doc.task) {
     const { track, looking, views, targets, notes } = run;

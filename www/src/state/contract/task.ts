@@ -72,6 +72,8 @@ export interface Task<Given = unknown, Passing extends object = object, Takes ex
   isBlank(given: Given): boolean;
   /** Whether a wire can be made of it and of what guides. `closely` when a run is to begin: at a glance, it is asked at every change. */
   suffices(given: Given, guide: Guide | null, closely?: boolean): boolean;
+  /** The same without its last picture, where a wire can be made of what is left; null where not. */
+  fewer?(given: Given): Given | null;
   /** What people call what they gave. */
   labels(given: Given): readonly string[];
   /** What is given, and what guides, as the task's engine takes it. */

@@ -20,7 +20,7 @@ export interface Desk {
   readonly guide: Guide | null;
   /** The wire on the stage while nothing runs. */
   readonly made: Made | null;
-  /** The same run with loose strokes, to compare `made` with. */
+  /** The same run but for one thing, loose strokes to begin with, to compare `made` with. */
   readonly loose: Made | null;
 }
 

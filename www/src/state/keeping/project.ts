@@ -18,13 +18,15 @@ export interface ProjectState {
 const SAVE_AFTER_MS = 300;
 
 export class Project {
-  private readonly edits: Edits<Doc>;
+  private edits: Edits<Doc>;
   private keeping: ProjectState["keeping"] = "here";
   private keep: Keep | null = null;
   private takeOver: () => void = () => undefined;
   /** Whether there is anything of the person's own to keep. */
   private touched = false;
   private saving: ReturnType<typeof setTimeout> | undefined;
+  /** The person's own, while something else is shown. */
+  private aside: Edits<Doc> | null = null;
 
   constructor(
     first: Doc,
@@ -54,7 +56,7 @@ export class Project {
 
   /** A step that can be taken back; steps of one non-empty `kind` in close succession become one. */
   edit(label: string, change: Partial<Doc>, kind = ""): void {
-    this.touched = true;
+    this.touched ||= !this.aside;
     this.edits.apply(label, { ...this.doc, ...change }, kind);
     this.changed();
   }
@@ -86,6 +88,23 @@ export class Project {
     this.replace({ task });
   }
 
+  /** Shows something else, which is kept nowhere and whose steps begin here; the project waits, with its steps. */
+  setAside(shown: Doc): void {
+    if (!this.aside) {
+      this.save();
+      this.aside = this.edits;
+    }
+    this.edits = new Edits(shown);
+    this.tell();
+  }
+
+  bringBack(): void {
+    if (!this.aside) return;
+    this.edits = this.aside;
+    this.aside = null;
+    this.tell();
+  }
+
   /** This tab keeps the project from now on. */
   keepHere(): void {
     this.touched = true;
@@ -112,7 +131,7 @@ export class Project {
   }
 
   private get writer(): Keep | null {
-    return this.keeping === "here" ? this.keep : null;
+    return this.keeping === "here" && !this.aside ? this.keep : null;
   }
 
   private keeps(keeping: ProjectState["keeping"]): void {

@@ -2,6 +2,10 @@
 
 import type { Frame, Guide, RunEvent, SettingValues, Snapshot } from "../../engine/protocol";
 
+/** In what a run differs from that of the wire beside which its own is laid. */
+export const VARIANTS = ["loose", "reinit", "refine", "respace", "smoothness", "tightness", "clearance", "level_weight", "bend", "start", "picture"] as const;
+export type Variant = (typeof VARIANTS)[number];
+
 export interface Track {
   /** The task it is of, and what was given for that; only the task knows what it is. */
   readonly task: string;
@@ -9,13 +13,19 @@ export interface Track {
   readonly settings: SettingValues;
   /** What guided it besides; nothing without. */
   readonly guide?: Guide | null;
-  /** Loose strokes, to be laid beside the wire on the stage and not to take its place. */
+  /** To be laid beside the wire on the stage, and not to take its place: loose strokes, where `variant` says nothing else. */
   readonly loose?: boolean;
+  readonly variant?: Variant;
   readonly iterations: number;
   /** [iteration, loss] in order. */
   readonly losses: readonly (readonly [iteration: number, loss: number])[];
   readonly events: readonly RunEvent[];
   readonly snapshots: readonly Snapshot[];
+}
+
+/** In what it differs from that of the wire on the stage; null where it is that wire's. */
+export function variantOf(track: Track | null | undefined): Variant | null {
+  return track?.loose ? (track.variant ?? "loose") : null;
 }
 
 export function freshTrack(task: string, given: unknown, settings: SettingValues, guide: Guide | null = null): Track {

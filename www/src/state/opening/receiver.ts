@@ -16,6 +16,8 @@ export class Receiver {
     private readonly tasks: readonly Task[],
     private readonly opener: Opener,
     private readonly taker: (task: string) => Taker,
+    /** Follows an address that asks for a lesson; false where it asks for none. */
+    private readonly teach: (hash: string) => Promise<boolean>,
   ) {}
 
   /** Pictures to where the task wants them, a mesh to a task that takes it, a wire onto the stage. `folders` names what is no file. */
@@ -48,6 +50,7 @@ export class Receiver {
 
   /** Shows what an address asks for. */
   async fragment(hash: string): Promise<void> {
+    if (await this.teach(hash)) return;
     if (this.bench.busy) this.bench.warn(DURING_A_RUN);
     else if (!(await this.opener.fragment(hash)) && !(await this.beside(hash))) await this.opener.example();
   }

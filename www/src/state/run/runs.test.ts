@@ -3,7 +3,8 @@ import type { WireShape } from "#sculpture/scene/shape";
 import type { Finished, Snapshot } from "../../engine/protocol";
 import { testBench, type TestBench } from "../contract/test-bench";
 import type { Task } from "../contract/task";
-import { deskOf, withGiven, type Made } from "../keeping/document";
+import { deskOf, withDesk, withGiven, type Made } from "../keeping/document";
+import { variantOf } from "../keeping/track";
 import type { Placer } from "./placer";
 import { Runs } from "./runs";
 
@@ -69,6 +70,25 @@ it("lays loose strokes beside a wire of the same, after one of a run", async () 
   await done(2, runs.compare());
   expect(deskOf(bench.doc)).toMatchObject({ made: { finished: { code: "wire 1" } }, loose: { finished: { code: "wire 2" } } });
   expect(asked[1]!.settings).toEqual({ form: "bag", backend: "cpu" });
+});
+
+it("lays a wire beside it that differs in one thing, of the same settings and seed", async () => {
+  give("red");
+  bench.change(withDesk(bench.doc, "knit", { settings: { seed: "7" } }));
+  await done(1, runs.run());
+  await done(2, runs.compare({ variant: "clearance", settings: { clearance: "0" }, without: true }));
+  expect(asked[1]!.settings).toEqual({ seed: "7", clearance: "0", backend: "cpu" });
+  const { loose } = deskOf(bench.doc);
+  expect([loose?.finished.code, loose?.track?.variant, variantOf(loose?.track), variantOf(made()?.track)]).toEqual(["wire 2", "clearance", "clearance", null]);
+  // Kept before there was anything but loose strokes.
+  expect(variantOf({ ...loose!.track!, variant: undefined! })).toBe("loose");
+});
+
+it("lays a wire of something else beside it, and leaves what is given", async () => {
+  give("red");
+  await done(1, runs.run());
+  await done(2, runs.compare({ variant: "picture", settings: {}, given: "half", without: true }));
+  expect([asked[1]!.work, bench.doc.given["knit"]]).toEqual(["half", "red"]);
 });
 
 it("goes on from a wire that it went through, and brings back what that was of", async () => {

@@ -7,9 +7,10 @@ import type { Bench } from "../contract/bench";
 import { whenIdle } from "../contract/state";
 import type { Task } from "../contract/task";
 import { deskOf, withDesk, withGiven, type Made } from "../keeping/document";
-import { freshTrack, upTo, type Track } from "../keeping/track";
+import { freshTrack, upTo, variantOf, type Track } from "../keeping/track";
 import type { Placer } from "./placer";
 import { Runner } from "./runner";
+import { LOOSE, type Change } from "./variants";
 
 export class Runs {
   private readonly runner: Runner;
@@ -46,8 +47,8 @@ export class Runs {
     else bench.warn(`${task.words.needs} ${task.words.remedy}`);
   }
 
-  /** The wire on the stage once more with loose strokes, to be laid beside it; the wire first, where there is none of a run. */
-  async compare(): Promise<void> {
+  /** The wire on the stage once more but for one thing, to be laid beside it; the wire first, where there is none of a run. */
+  async compare({ variant, settings, given: instead }: Change = LOOSE): Promise<void> {
     if (this.bench.busy) return;
     const { task } = this.bench.doc;
     const made = (): Made | null => deskOf(this.bench.doc, task).made;
@@ -57,7 +58,7 @@ export class Runs {
     // One that was stopped on the way was not to be compared after all.
     const given = track && (known || !made()!.stopped);
     if (!given || this.bench.busy || this.bench.doc.task !== task) return;
-    await this.fit({ ...freshTrack(task, track.given, { ...track.settings, form: "bag" }, track.guide), loose: true });
+    await this.fit({ ...freshTrack(task, instead ?? track.given, { ...track.settings, ...settings }, track.guide), loose: true, variant });
   }
 
   /** Pauses, or goes on. */
@@ -108,6 +109,8 @@ export class Runs {
 
   /** A run that was cut off may go on; null where there is none. */
   offer(track: Track | null): void {
+    // A lesson's runs are not kept: what is offered stays the project's.
+    if (this.bench.store.get().lesson) return;
     this.cutOff = track;
     const { iteration = 0, iterations = 0 } = track?.snapshots.at(-1) ?? {};
     this.bench.store.set({ unfinished: track && { task: track.task, iteration, iterations } });
@@ -126,8 +129,9 @@ export class Runs {
     const { bench } = this;
     const { task, given } = track;
     if (bench.doc.task !== task) bench.project.replace({ task });
-    if (bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
-    // What it is compared with decides about loose strokes.
+    // What lies beside a wire may be of something else than that.
+    if (!track.loose && bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
+    // What it is compared with decides about what lies beside it.
     await this.fit(track.loose ? track : { ...track, settings: deskOf(bench.doc, task).settings, guide: deskOf(bench.doc, task).guide });
   }
 
@@ -166,7 +170,7 @@ export class Runs {
     const stopped = !track.events.some(({ kind }) => kind === "done");
     const made: Made = { finished, source: "run", track, stopped, seconds };
     const { doc } = this.bench;
-    if (track.loose) this.bench.edit("Compare with loose strokes", withDesk(doc, track.task, { loose: made }));
+    if (track.loose) this.bench.edit(variantOf(track) === "loose" ? "Compare with loose strokes" : "Lay another wire beside it", withDesk(doc, track.task, { loose: made }));
     else this.bench.edit("Make the wire", withDesk(doc, track.task, { made, loose: null }));
   }
 }

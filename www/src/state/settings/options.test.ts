@@ -30,7 +30,7 @@ let options: Options;
 beforeEach(() => {
   doc = { task: "multiview", given: {}, desks: {} };
   labels = [];
-  const store = new Store<StudioState>({ doc, tables: null } as unknown as StudioState);
+  const store = new Store<StudioState>({ doc, tables: null, locks: { lock: [], hide: [] } } as unknown as StudioState);
   const change = (changed: Partial<Doc>): void => {
     doc = { ...doc, ...changed };
     store.set({ doc });
@@ -111,4 +111,22 @@ it("keeps what guides each task, and nothing where nothing was said", () => {
   expect(doc.desks["stroke"]!.guide).toBeNull();
   expect(doc.desks["multiview"]!.guide).toEqual({ words: { front: "umbrella" }, weight: 1, by: "icons" });
   expect(labels).toEqual(["Guide by words", "Guide by words", "Guide by pictures alone", "Guide by words", "Guide by pictures alone"]);
+});
+
+it("leaves alone what a lesson locks, also where a preset or a reset would change it", () => {
+  options.learn(tables);
+  options.set("spacing", "7");
+  options.set("control_points", "40");
+  options["bench"].store.set({ locks: { lock: ["spacing"], hide: [] } });
+  options.set("spacing", "9");
+  options.setAll({ spacing: "9", control_points: "50" }, "Set two");
+  expect([options.value("spacing"), options.value("control_points")]).toEqual(["7", "40"]);
+  options.set("preset", "fast");
+  expect(options.all).toEqual({ spacing: "7", preset: "fast" });
+  options.set("control_points", "50");
+  options.reset();
+  expect(options.all).toEqual({ spacing: "7" });
+  options["bench"].store.set({ locks: { lock: [], hide: ["settings"] } });
+  options.set("control_points", "60");
+  expect(options.all).toEqual({ spacing: "7" });
 });

@@ -1,6 +1,7 @@
 /** The settings of the task that is looked at: what they are, and how they change. */
 
 import { ICONS, USUAL_WEIGHT, type Guide, type SettingsTables, type SettingValues } from "../../engine/protocol";
+import { isSettingLocked } from "../common/locks";
 import { readGuide } from "./guide-pairs";
 import type { Bench, Settings } from "../contract/bench";
 import { tableOf } from "../contract/state";
@@ -37,6 +38,7 @@ export class Options implements Settings {
   /** Several at once, as one step. */
   setAll(values: SettingValues, label: string, kind = ""): void {
     const table = tableOf(this.bench.store.get());
+    if (Object.keys(values).some((name) => this.isLocked(name))) return;
     if (table && Object.entries(values).some(([name, value]) => problemWith(name, value, table))) return;
     const next = { ...("preset" in values ? this.besidesPreset() : this.all), ...values };
     this.put(label, table ? known(next, table) : next, kind);
@@ -56,7 +58,7 @@ export class Options implements Settings {
   }
 
   reset(): void {
-    this.put("Reset the settings", {});
+    this.put("Reset the settings", Object.fromEntries(Object.entries(this.all).filter(([name]) => this.isLocked(name))));
   }
 
   /** What an address asks for, once the core has told what there is. */
@@ -96,12 +98,16 @@ export class Options implements Settings {
     this.bench.edit(label, withDesk(doc, doc.task, { settings }), kind);
   }
 
+  private isLocked(name: string): boolean {
+    return isSettingLocked(this.bench.store.get(), name);
+  }
+
   private besidesPreset(): SettingValues {
     const { store, doc } = this.bench;
     const keeps = this.tasks.find(({ name }) => name === doc.task)?.keeps;
     const rows = tableOf(store.get())?.rows ?? [];
     const groupOf = (name: string): string => rows.find((row) => row.name === name)?.group ?? "";
-    const stays = (name: string): boolean => [...NOT_OF_PRESETS, ...(keeps?.settings ?? [])].includes(name) || keeps?.groups.includes(groupOf(name)) === true;
+    const stays = (name: string): boolean => this.isLocked(name) || [...NOT_OF_PRESETS, ...(keeps?.settings ?? [])].includes(name) || keeps?.groups.includes(groupOf(name)) === true;
     return Object.fromEntries(Object.entries(this.all).filter(([name]) => stays(name)));
   }
 }

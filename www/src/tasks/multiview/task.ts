@@ -52,6 +52,10 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
   packing: async () => (await import("./packing")).packing,
   isBlank: (papers) => laidOut(papers).length === 0,
   suffices: (papers, guide, closely = false) => (closely ? sheetsOf(papers) : laidOut(papers)).length + guidedAlone(papers, guide, closely).length >= 2,
+  fewer: (papers) => {
+    const laid = laidOut(papers);
+    return laid.length > 2 ? { ...papers, [laid.at(-1)!]: null } : null;
+  },
   labels: (papers) => sheetsOf(papers).map(({ paper }) => paper.label),
   async work(papers, guide): Promise<Work> {
     const drawings: Drawing[] = [];

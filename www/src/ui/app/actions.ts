@@ -1,9 +1,10 @@
 /** Everything with a key, and what only the page can do: look from somewhere, share, help. */
 
+import { msg } from "@lit/localize";
 import { deskOf } from "../../state/keeping/document";
 import type { ViewName } from "#sculpture/scene/stage";
 import type { Action, Parts } from "../../state/actions/action";
-import { pause, redo, run, undo } from "../../state/actions/actions";
+import { pause, redo, run, undo, useTool } from "../../state/actions/actions";
 
 /** What the page's own actions work with, besides the studio's parts. */
 export interface PageParts extends Parts {
@@ -18,11 +19,27 @@ const look = (view: ViewName, key: string, help: string): PageAction => ({ id: `
 
 export const share: PageAction = {
   id: "share",
+  part: "share",
   label: "Share",
   keys: ["S"],
   help: "Share the wire",
   can: ({ doc, phase }) => phase === "idle" && deskOf(doc).made !== null,
   act: (page) => page.share(),
+};
+
+/** Opens the optimiser beside the stage, or closes it. */
+export const glass: PageAction = {
+  id: "glass",
+  part: "glass",
+  label: "Glass box",
+  keys: ["G"],
+  help: "Open the optimiser, or close it",
+  act: (page) => {
+    const { store } = page.bench;
+    const isOpen = store.get().tool === "glass";
+    useTool.act(page, isOpen ? null : "glass");
+    store.set({ said: isOpen ? msg("The glass box is closed.") : msg("The glass box is open beside the stage.") });
+  },
 };
 
 export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };
@@ -38,5 +55,6 @@ export const ACTIONS: readonly PageAction[] = [
   undo,
   redo,
   share,
+  glass,
   help,
 ];

@@ -3,7 +3,8 @@
 import { deskOf, type Made, type Phase, type StudioState } from "../../state/studio";
 import { percent } from "../../state/common/words";
 import type { Task } from "../../state/contract/task";
-import { compared } from "../run/compared";
+import { variantOf } from "../../state/keeping/track";
+import { compared, weighed } from "../run/compared";
 
 const PHASES: Readonly<Record<Phase, string>> = {
   idle: "",
@@ -25,7 +26,7 @@ export function news(before: StudioState, now: StudioState, tasks: readonly Told
     // Of the run that was on the page, and not kept from before or brought back by undo.
     const fresh = ({ track }: Made): boolean => track !== null && track === before.track;
     if (made !== madeBefore && made?.source === "run" && fresh(made)) return `Done. ${verdict(made)}`;
-    if (loose !== looseBefore && loose && made && fresh(loose)) return `Done. ${compared(made, loose, views.length)}`;
+    if (loose !== looseBefore && loose && made && fresh(loose)) return `Done. ${variantOf(loose.track) === "loose" ? compared(made, loose, views.length) : weighed(made, loose, views.length)}`;
   }
   if (now.said !== before.said && now.said) return now.said;
   if (now.phase !== before.phase) return PHASES[now.phase] || "The run has ended.";

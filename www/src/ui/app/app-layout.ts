@@ -5,8 +5,8 @@ import { css } from "lit";
 export const layout = css`
   :host {
     display: grid;
-    grid-template: 56px minmax(0, 1fr) auto / 280px minmax(0, 1fr) 312px;
-    grid-template-areas: "head head head" "left stage right" "left time right";
+    grid-template: 56px minmax(0, 1fr) auto auto / 280px minmax(0, 1fr) 312px;
+    grid-template-areas: "head head head" "left stage right" "left time right" "left under right";
     height: 100%;
     min-height: 0;
     overflow: hidden;
@@ -23,6 +23,58 @@ export const layout = css`
     grid-area: time;
     border-block-start: 1px solid var(--line);
     background: var(--paper);
+  }
+  .tool-buttons {
+    grid-area: stage;
+    z-index: 2;
+    display: flex;
+    gap: 8px;
+    align-self: start;
+    justify-self: start;
+    margin: 12px;
+  }
+  .tool-buttons button {
+    min-height: 36px;
+    font-size: 13px;
+    box-shadow: var(--shadow);
+  }
+  @media (max-width: 499px) {
+    .tool-buttons button {
+      width: 44px;
+      min-height: 44px;
+      padding: 0;
+    }
+    .tool-buttons span {
+      position: absolute;
+      width: 1px;
+      height: 1px;
+      overflow: hidden;
+      clip-path: inset(50%);
+      white-space: nowrap;
+    }
+  }
+  .tool-buttons [aria-pressed="true"] {
+    border-color: var(--copper);
+    background: var(--copper-wash);
+    color: var(--copper-text);
+    font-weight: 600;
+  }
+  .tool {
+    grid-area: left;
+    z-index: 2;
+    border-inline-end: 1px solid var(--line);
+    background: var(--paper);
+  }
+  .under {
+    grid-area: under;
+    background: var(--paper);
+  }
+  /* What lies open needs more room than what it lies over. */
+  :host([tooled]) {
+    grid-template-columns: 336px minmax(0, 1fr) 312px;
+  }
+  :host([tooled]) .left {
+    display: none;
   }
   pad-editor,
   mask-editor {
@@ -46,6 +98,7 @@ export const layout = css`
   /* What is placed within them scrolls with them: nothing hangs out below the page. */
   .left,
   .right,
+  .tool,
   section {
     position: relative;
   }
@@ -56,7 +109,8 @@ export const layout = css`
     position: fixed;
   }
   .left,
-  .right {
+  .right,
+  .tool {
     min-height: 0;
     overflow: auto;
     overscroll-behavior: contain;
@@ -70,6 +124,34 @@ export const layout = css`
   .right {
     grid-area: right;
     border-inline-start: 1px solid var(--line);
+  }
+  #part-lesson {
+    padding: 16px 24px;
+    border-block-end: 1px solid var(--line);
+  }
+  :host([lesson]) {
+    grid-template-columns: 344px minmax(0, 1fr) auto;
+  }
+  :host([lesson]) .right {
+    width: 312px;
+  }
+  /* What is to be read stays: a tool lies over the other column. */
+  @media (min-width: 1100px), (min-width: 820px) and (orientation: landscape) {
+    :host([lesson][tooled]) .left {
+      display: block;
+    }
+    :host([lesson][tooled]) .right {
+      display: none;
+    }
+    :host([lesson][tooled]) .tool {
+      grid-area: right;
+      width: 336px;
+      border-inline: 1px solid var(--line) 0;
+    }
+  }
+  /* Locked, and to be seen as such. */
+  [inert] {
+    opacity: 0.6;
   }
   #part-pictures {
     display: grid;
@@ -96,7 +178,16 @@ export const layout = css`
     :host {
       grid-template-columns: 208px minmax(0, 1fr) 272px;
     }
-    #part-pictures {
+    :host([tooled]) {
+      grid-template-columns: 288px minmax(0, 1fr) 272px;
+    }
+    :host([lesson]) {
+      grid-template-columns: 304px minmax(0, 1fr) auto;
+    }
+    :host([lesson]) .right {
+      width: 272px;
+    }
+    :is(#part-pictures, #part-lesson) {
       padding: 16px;
     }
     run-panel {
@@ -110,6 +201,17 @@ export const layout = css`
     :host {
       grid-template: 48px minmax(0, 46fr) auto minmax(0, 40fr) auto / minmax(0, 1fr);
       grid-template-areas: "head" "stage" "run" "sheet" "tabs";
+    }
+    :host([lesson]) {
+      grid-template-rows: 48px minmax(0, 36fr) auto minmax(0, 50fr) auto;
+      grid-template-columns: minmax(0, 1fr);
+    }
+    :host([tooled]) {
+      grid-template-columns: minmax(0, 1fr);
+    }
+    .tool {
+      grid-area: sheet;
+      border: 0;
     }
     .left,
     .right {
@@ -131,6 +233,7 @@ export const layout = css`
       border: 0;
     }
     :host .right section,
+    #part-lesson,
     #part-pictures {
       grid-area: sheet;
       min-height: 0;
@@ -185,10 +288,20 @@ export const layout = css`
       padding-block-end: 8px;
     }
     :host .right section,
+    #part-lesson,
     #part-pictures {
       order: 3;
       flex: 1 0 auto;
       overflow: visible;
+    }
+    .tool {
+      order: 3;
+      flex: 1 0 auto;
+      overflow: visible;
+    }
+    .tool-buttons {
+      order: 0;
+      margin-block-end: 4px;
     }
     .tabs {
       order: 4;
@@ -205,10 +318,21 @@ export const layout = css`
       height: 100%;
       overflow: hidden;
     }
+    :host([lesson]) {
+      grid-template-rows: 44px auto minmax(0, 1fr) auto;
+      grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+    }
+    :host([tooled]) {
+      grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+    }
+    .tool {
+      overflow: auto;
+    }
     wire-stage {
       height: auto;
     }
     :host .right section,
+    #part-lesson,
     #part-pictures {
       overflow: auto;
     }
@@ -218,6 +342,7 @@ export const layout = css`
   }
   @media (min-width: 600px) and (max-width: 1099px) and (orientation: portrait) {
     #part-pictures.one,
+    #part-lesson,
     #part-settings,
     #part-share {
       width: 100%;

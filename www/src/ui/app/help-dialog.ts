@@ -40,7 +40,7 @@ export class HelpDialog extends LitElement {
         <h2>Licences</h2>
         <p class="small quiet">
           Wire4D is free software, MIT or Apache-2.0. With it come the typeface Figtree (OFL 1.1), icons by Lucide (ISC), Lit
-          (BSD-3-Clause), uqr (MIT), gifenc (MIT) and Mediabunny (MPL-2.0, as it is at github.com/Vanilagy/mediabunny).
+          (BSD-3-Clause), uqr (MIT), gifenc (MIT), jsQR (Apache-2.0) and Mediabunny (MPL-2.0, as it is at github.com/Vanilagy/mediabunny).
         </p>
       </div>
     </dialog>`;

@@ -61,7 +61,7 @@ export class NoticeList extends Part {
   ];
 
   override render() {
-    const { keeping, unfinished, problem, notices, phase } = this.state;
+    const { keeping, unfinished, problem, notices, phase, lesson } = this.state;
     return html`
       <div role="alert">
         ${problem
@@ -78,7 +78,7 @@ export class NoticeList extends Part {
         ),
       )}
       ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
-      ${unfinished && phase === "idle"
+      ${unfinished && phase === "idle" && !lesson
         ? this.notice(
             unfinished.iterations > 0
               ? `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`
@@ -87,10 +87,10 @@ export class NoticeList extends Part {
               <button @click=${() => this.studio.act(dropUnfinished)}>${dropUnfinished.label}</button>`,
           )
         : nothing}
-      ${this.state.loadNew && phase === "idle"
+      ${this.state.loadNew && phase === "idle" && !lesson
         ? this.notice("A new version of this page is ready.", html`<button @click=${() => this.studio.act(loadNew)}>${loadNew.label}</button>`)
         : nothing}
-      ${keeping === "elsewhere"
+      ${keeping === "elsewhere" && !lesson
         ? this.notice(
             "This project is open in another tab; what you do here is not kept.",
             html`<button @click=${() => this.studio.act(keepHere)}>${keepHere.label}</button>`,

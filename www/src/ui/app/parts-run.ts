@@ -1,4 +1,5 @@
 import "../guidance/guide-fold";
+import "../lesson/class-fold";
 import "../run/result-panel";
 import "../run/run-panel";
 import "../run/wire-comparison";

@@ -1,31 +1,34 @@
-/** The four parts of the sheet on a phone, and the tabs that choose one. */
+/** The parts of the sheet on a phone, and the tabs that choose one. */
 
 import { css, html, type TemplateResult } from "lit";
 import { icons } from "../shared/icons";
 import { walkTabs } from "../shared/tablist";
 
-export const TABS = ["pictures", "run", "settings", "share"] as const;
+export const TABS = ["lesson", "pictures", "run", "settings", "share"] as const;
 export type Tab = (typeof TABS)[number];
+/** There while a lesson is on. */
+export const LESSON_TAB: Tab = "lesson";
 
 const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
+  lesson: { words: "Lesson", icon: icons.lesson },
   pictures: { words: "Pictures", icon: icons.pictures },
   run: { words: "Run", icon: icons.run },
   settings: { words: "Settings", icon: icons.settings },
   share: { words: "Share", icon: icons.share },
 };
 
-/** `pads` is what the part where things are given is called. */
-export function tabs(chosen: Tab, pads: string, choose: (tab: Tab) => void): TemplateResult {
-  const press = (event: KeyboardEvent): void => walkTabs(event, TABS, choose);
+/** `pads` is what the part where things are given is called; `chosen` is null where something else lies in the sheet. */
+export function tabs(chosen: Tab | null, pads: string, choose: (tab: Tab) => void, shown: readonly Tab[]): TemplateResult {
+  const press = (event: KeyboardEvent): void => walkTabs(event, shown, choose);
   return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
-    ${TABS.map(
+    ${shown.map(
       (tab) => html`<button
         id="tab-${tab}"
         class="plain"
         role="tab"
         aria-selected=${tab === chosen}
         aria-controls="part-${tab}"
-        tabindex=${tab === chosen ? 0 : -1}
+        tabindex=${tab === (chosen ?? shown[0]) ? 0 : -1}
         @click=${() => choose(tab)}
       >
         ${SHOWN[tab].icon} ${tab === "pictures" ? pads : SHOWN[tab].words}
@@ -38,7 +41,8 @@ export const tabsStyle = css`
   .tabs {
     grid-area: tabs;
     display: grid;
-    grid-template-columns: repeat(4, minmax(0, 1fr));
+    grid-auto-flow: column;
+    grid-auto-columns: minmax(0, 1fr);
     padding-block-end: env(safe-area-inset-bottom);
     border-block-start: 1px solid var(--line);
     background: var(--raised);

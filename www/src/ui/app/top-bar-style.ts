@@ -48,6 +48,11 @@ export const topBarStyle = css`
       display: none;
     }
   }
+  @media (max-width: 699px) {
+    .lessons {
+      display: none;
+    }
+  }
   /* Where there is room for one of them, it is the tabs. */
   @media (max-width: 559px) {
     :host {

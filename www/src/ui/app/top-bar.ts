@@ -1,5 +1,6 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { isHidden } from "../../state/common/locks";
 import { chooseTask, redo, undo } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
@@ -30,11 +31,13 @@ export class TopBar extends Part {
     const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[nextTheme(this.theme)]}`;
     return html`
       <h1>Wire<b>4D</b></h1>
-      ${taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
-      <a class="gallery" href="./gallery.html">Gallery</a>
+      ${isHidden(this.state, "tabs")
+        ? html`<span class="tasks"></span>`
+        : taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
+      ${isHidden(this.state, "gallery") ? nothing : html`<a class="gallery" href="./gallery.html">Gallery</a> <a class="gallery lessons" href="./teachers.html">Lessons</a>`}
       <div class="tools">
         ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
-        <button class="share" ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} Share</button>
+        <button class="share" ?hidden=${isHidden(this.state, "share")} ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} Share</button>
         ${this.tool(icons[this.theme], colours, true, () => chooseTheme((this.theme = nextTheme(this.theme))))}
         ${this.acting(help, icons.help)}
       </div>

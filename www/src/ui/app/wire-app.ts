@@ -1,20 +1,25 @@
+import { msg } from "@lit/localize";
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "#sculpture/scene/looks";
 import type { Faults } from "../../engine/protocol";
+import { isHidden, isLocked, type Part as PagePart } from "../../state/common/locks";
 import { nextTurn } from "../../state/common/next-turn";
 import { remember, remembered } from "../../state/common/remember";
 import { explain } from "../../state/common/words";
 import { deskOf, tableOf, type Studio, type StudioState } from "../../state/studio";
+import type { Tool } from "../../state/contract/state";
+import { useTool } from "../../state/actions/actions";
 import type { Heading } from "../../view/heading";
 import type { ResultPanel } from "../run/result-panel";
-import type { WireComparison } from "../run/wire-comparison";
 import type { SavePanel } from "../save/save-panel";
 import { NARROW } from "../shared/narrow";
 import type { Page, PageTask, TaskParts } from "../shared/page-task";
+import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
+import type { ToolParts } from "../stage/tool";
 import type { WireStage } from "../stage/wire-stage";
-import { help, type PageAction, type PageParts } from "./actions";
+import { glass, help, share, type PageAction, type PageParts } from "./actions";
 import { layout } from "./app-layout";
 import "./drop-hint";
 import "./live-region";
@@ -22,8 +27,12 @@ import type { LiveRegion } from "./live-region";
 import { pageTitle } from "./page-title";
 import { loadParts, rendered } from "./parts";
 import { actionOf, isTaken } from "./shortcuts";
-import { tabs, tabsStyle, type Tab } from "./tabs";
+import { LESSON_TAB, TABS, tabs, tabsStyle, type Tab } from "./tabs";
+import { TOOL_PARTS } from "./tools";
 import "./top-bar";
+
+/** What stands in the right column. */
+const RIGHT: readonly PagePart[] = ["run", "result", "save", "settings"];
 
 interface LookChange {
   readonly look: LookName;
@@ -40,6 +49,8 @@ export class WireApp extends LitElement {
   @state() private tab: Tab = "pictures";
   /** Elements of the tasks that were looked at. */
   @state() private parts: Readonly<Record<string, TaskParts>> = {};
+  /** Of the tools that were opened. */
+  @state() private tools: Partial<Record<Tool, ToolParts>> = {};
   /** What lies open over the stage, in the words of the task that is looked at. */
   @state() private editing: unknown = null;
   @state() private throughNow: boolean | null = null;
@@ -47,7 +58,6 @@ export class WireApp extends LitElement {
   @query("wire-stage") private stage!: WireStage;
   @query("result-panel") private result!: ResultPanel;
   @query("save-panel") private saving!: SavePanel;
-  @query("wire-comparison") private comparison!: WireComparison;
   @query("live-region") private live!: LiveRegion;
   /** Whether a run has ended since somebody last looked. */
   private unseen = false;
@@ -68,21 +78,25 @@ export class WireApp extends LitElement {
     const { studio, now, look, tasks, task } = this;
     const idle = now.phase === "idle";
     const { page } = task;
+    const resting = !idle && !now.lesson;
     const parts = this.parts[task.name] ?? null;
     const ofTask = this.page;
     const { panel } = page;
+    const tool = now.tool && this.tools[now.tool];
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} .tasks=${tasks} .act=${this.act}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
-        <div class="left" tabindex=${idle ? nothing : 0} role=${idle ? nothing : "group"} aria-label=${idle ? nothing : `${panel}, at rest during a run`}>
+        <div class="left" tabindex=${resting ? 0 : nothing} role=${resting ? "group" : nothing} aria-label=${resting ? `${panel}, at rest during a run` : nothing}>
+          ${now.lesson ? this.lesson() : nothing}
           <section
             id="part-pictures"
             class=${task.takes.pictures > 1 ? "" : "one"}
             role=${this.panel()}
             aria-label=${panel}
-            ?hidden=${this.folded("pictures")}
+            ?inert=${isLocked(now, "pads")}
+            ?hidden=${this.folded("pictures") || isHidden(now, "pads")}
           >
-            ${parts?.pads(ofTask) ?? nothing} ${this.narrow.matches ? html`<a class="gallery" href="./gallery.html">Gallery</a>` : nothing}
+            ${parts?.pads(ofTask) ?? nothing} ${this.narrow.matches ? this.links() : nothing}
           </section>
         </div>
         <wire-stage
@@ -96,21 +110,26 @@ export class WireApp extends LitElement {
           @look-change=${this.changeLook}
           @see-through=${this.seeThrough}
         ></wire-stage>
+        <div class="tool-buttons">
+          <button ?hidden=${isHidden(now, "glass")} ?disabled=${!studio.can(glass)} aria-pressed=${String(now.tool === "glass")} title=${msg("Open the optimiser, or close it (G)")} @click=${() => this.act(glass)}>${icons.glass} <span>${msg("Glass box")}</span></button>
+        </div>
         ${this.narrow.matches ? nothing : this.timeLine()}
+        ${tool ? html`<div class="tool" role="region" aria-label=${msg("Beside the stage")}>${tool.panel(now, this.narrow.matches)}</div>` : nothing}
+        ${tool?.under && !this.narrow.matches ? html`<div class="under">${tool.under(now)}</div>` : nothing}
         ${parts?.editor?.(ofTask) ?? nothing}
         <notice-list .studio=${studio} .state=${now}></notice-list>
-        <div class="right">
-          <run-panel .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
-          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?hidden=${this.folded("run")} @look-from=${this.lookFrom} @mark=${this.mark}>
+        <div class="right" ?hidden=${RIGHT.every((part) => isHidden(now, part))}>
+          <run-panel ?inert=${isLocked(now, "run")} ?hidden=${isHidden(now, "run") || (this.narrow.matches && this.tab === LESSON_TAB)} .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
+          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?inert=${isLocked(now, "result")} ?hidden=${this.folded("run") || isHidden(now, "result")} @look-from=${this.lookFrom} @mark=${this.mark}>
             ${this.narrow.matches ? this.timeLine() : nothing}
             ${parts?.choices(ofTask) ?? nothing}
             <result-panel .task=${task} .parts=${parts} .state=${now}></result-panel>
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
-          <section id="part-share" role=${this.panel()} aria-label="Save and share" ?hidden=${this.folded("share")}>
+          <section id="part-share" role=${this.panel()} aria-label="Save and share" ?inert=${isLocked(now, "save")} ?hidden=${this.folded("share") || isHidden(now, "save")}>
             <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()}></save-panel>
           </section>
-          <section id="part-settings" role=${this.panel()} aria-label="Settings" ?hidden=${this.folded("settings")}>
+          <section id="part-settings" role=${this.panel()} aria-label="Settings" ?inert=${isLocked(now, "settings")} ?hidden=${this.folded("settings") || isHidden(now, "settings")}>
             <settings-panel
               .studio=${studio}
               .table=${tableOf(now)}
@@ -118,16 +137,18 @@ export class WireApp extends LitElement {
               .elsewhere=${task.elsewhere}
               .where=${now.where}
               .whenHidden=${now.whenHidden}
+              .locks=${now.locks}
               ?locked=${!idle}
             >
               <guide-fold .studio=${studio} .state=${now} ?locked=${!idle}></guide-fold>
               <look-panel .look=${look.look} .room=${look.room} @look-change=${this.changeLook}></look-panel>
+              <class-fold .studio=${studio} .state=${now}></class-fold>
             </settings-panel>
           </section>
         </div>
-        ${this.narrow.matches ? tabs(this.tab, panel, (tab) => (this.tab = tab)) : nothing}
+        ${this.narrow.matches && (tool || this.shownTabs.length > 1) ? tabs(tool ? null : this.tab, panel, (tab) => this.choose(tab), this.shownTabs) : nothing}
       </main>
-      <drop-hint ?locked=${!idle} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
+      <drop-hint ?locked=${!idle || isLocked(now, "files") || isLocked(now, "leave")} .what=${page.drops} @files=${(event: CustomEvent<DataTransfer | null>) => this.take(event.detail)}></drop-hint>
       <live-region .tasks=${tasks}></live-region>
     `;
   }
@@ -178,10 +199,7 @@ export class WireApp extends LitElement {
     addEventListener("focus", () => this.seen(), { signal });
     addEventListener(
       "theme-change",
-      () => {
-        this.result.recolour();
-        this.comparison.recolour();
-      },
+      () => this.result.recolour(),
       { signal },
     );
     document.addEventListener("visibilitychange", () => document.hidden || this.seen(), { signal });
@@ -201,8 +219,23 @@ export class WireApp extends LitElement {
     this.ending.abort();
   }
 
+  /** Beside the stage on a desk, a part of the sheet on a phone. */
+  private lesson() {
+    return html`<lesson-panel id="part-lesson" @share-wire=${() => this.act(share)} ?kiosk=${this.now.lesson?.kiosk === true} role=${this.panel()} aria-label="The lesson" ?hidden=${this.folded(LESSON_TAB)} .studio=${this.studio} .state=${this.now}></lesson-panel>`;
+  }
+
+  private links() {
+    return html`<a class="gallery" href="./gallery.html" ?hidden=${isHidden(this.now, "gallery")}>Gallery</a>
+      <a class="gallery" href="./teachers.html" ?hidden=${isHidden(this.now, "gallery")}>Lessons</a>`;
+  }
+
+  private get shownTabs(): readonly Tab[] {
+    const parts: Readonly<Record<Tab, PagePart | null>> = { lesson: null, pictures: "pads", run: "result", settings: "settings", share: "save" };
+    return TABS.filter((tab) => (tab === LESSON_TAB ? this.now.lesson !== null : parts[tab] === null || !isHidden(this.now, parts[tab])));
+  }
+
   private timeLine() {
-    return html`<time-line .studio=${this.studio} .state=${this.now}></time-line>`;
+    return html`<time-line ?inert=${isLocked(this.now, "timeline")} ?hidden=${isHidden(this.now, "timeline")} .studio=${this.studio} .state=${this.now}></time-line>`;
   }
 
   private panel() {
@@ -210,7 +243,34 @@ export class WireApp extends LitElement {
   }
 
   private folded(tab: Tab): boolean {
-    return this.narrow.matches && tab !== this.tab;
+    return this.narrow.matches && (tab !== this.tab || this.isTooled);
+  }
+
+  private choose(tab: Tab): void {
+    this.tab = tab;
+    this.studio.act(useTool, null);
+  }
+
+  /** Whether a tool lies open. */
+  private get isTooled(): boolean {
+    return this.now.tool !== null && this.tools[this.now.tool] !== undefined;
+  }
+
+  protected override willUpdate(): void {
+    this.toggleAttribute("tooled", this.isTooled);
+  }
+
+  /** What a tool brings comes when it is first opened. */
+  private async openTool(tool: Tool): Promise<void> {
+    const load = TOOL_PARTS[tool];
+    if (this.tools[tool] || !load) return;
+    try {
+      const { open } = await load();
+      this.tools = { ...this.tools, [tool]: this.tools[tool] ?? open(this.studio, this.stage) };
+    } catch (error) {
+      this.studio.act(useTool, null);
+      this.studio.warn(explain(error, "This part of the page"));
+    }
   }
 
   private follow(now: StudioState): void {
@@ -222,10 +282,25 @@ export class WireApp extends LitElement {
       // What was looked through during the run stays so.
       if (this.throughNow !== null) queueMicrotask(() => this.throughNow !== null && this.see(this.throughNow));
     }
+    if (now.tool && now.tool !== before.tool) void this.openTool(now.tool);
     if (hasJustMade(before, now)) this.stage.tour();
     if (now.doc.task !== before.doc.task) this.turnTo(now.doc.task);
+    if (now.lesson !== before.lesson) void this.teach(before.lesson, now.lesson);
     if (now.doc !== before.doc && (now.undo !== null || now.doc.task !== before.doc.task)) this.readdress();
     this.retitle();
+  }
+
+  /** A lesson has begun, turned to another step, or ended. */
+  private async teach(before: StudioState["lesson"], now: StudioState["lesson"]): Promise<void> {
+    this.toggleAttribute("lesson", now !== null);
+    this.toggleAttribute("kiosk", now?.kiosk === true);
+    if (!before !== !now) this.tab = now ? LESSON_TAB : "pictures";
+    if (!now || (before?.lesson === now.lesson && before.at === now.at)) return;
+    // In a sheet, what is to be read goes before the tool, which is opened by its own button.
+    if (this.narrow.matches) this.studio.act(useTool, null);
+    const view = now.lesson.steps[now.at]!.view;
+    if (view) this.stage.flyTo(view);
+    await import("../lesson/lesson-panel").catch((error: unknown) => this.studio.warn(explain(error, "The lesson")));
   }
 
   private turnTo(task: string): void {
@@ -245,8 +320,9 @@ export class WireApp extends LitElement {
 
   /** Settings show in the address as people change them; a link that is being opened stays there. */
   private readdress(): void {
-    if (this.studio.opener.ahead) return;
-    const hash = this.studio.saver.address(location.hash);
+    if (this.studio.opener.ahead || this.now.lesson) return;
+    const own = this.studio.saver.address(location.hash);
+    const hash = this.studio.lessons?.addressOver(own) ?? own;
     if (hash !== location.hash) history.replaceState(null, "", hash || location.pathname + location.search);
   }
 
@@ -291,6 +367,7 @@ export class WireApp extends LitElement {
   }
 
   private take(data: DataTransfer | null): void {
+    if (!this.studio.takesFiles()) return;
     const files = [...(data?.files ?? [])];
     const entries = [...(data?.items ?? [])].map((item) => item.webkitGetAsEntry());
     const folders = entries.flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));

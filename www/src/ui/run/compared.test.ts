@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { Finished } from "../../engine/protocol";
 import type { Made } from "../../state/keeping/document";
 import { freshTrack } from "../../state/keeping/track";
-import { compared, gapOf, meanMatch } from "./compared";
+import { compared, gapOf, meanMatch, weighed } from "./compared";
 
 type Numbers = readonly [front: number, side: number, pieces: number, gap: number];
 
@@ -19,6 +19,18 @@ it("says in what they differ: match, pieces and what it would take to join them"
   );
   expect(compared(wire, made([0.99, 0.2, 1, 0]), 1)).toBe("Loose strokes match better. Both are in one piece.");
   expect(compared(wire, made([0.8, 0.2, 3, 0], { stopped: true }), 1)).toMatch(/^The wire matches better\..*stopped early\.$/);
+});
+
+it("weighs a wire that was made another way: match, length, tight bends, passing through itself", () => {
+  const than = (made: Made, more: object): Made => ({ ...made, finished: { ...made.finished, measures: { ...made.finished.measures, ...more } } });
+  const wire = than(made([0.9, 0.2, 1, 0]), { tight_share: 0.05, penetrating_share: 0.1 });
+  expect(weighed(wire, wire, 1)).toBe("Both match about as well.");
+  expect(weighed(wire, than(wire, { length: 12, tight_share: 0.02, penetrating_share: 0.3 }), 1)).toBe(
+    "Both match about as well. It is 20% longer. It bends tightly less often. It passes through itself more often.",
+  );
+  expect(weighed(wire, than(made([0.8, 0.2, 1, 0], { stopped: true }), { length: 9, tight_share: 0.2, penetrating_share: 0.1 }), 1)).toBe(
+    "The other wire matches worse: 80%, not 90%. It is 10% shorter. It bends tightly more often. It was stopped early.",
+  );
 });
 
 it("counts the views that a picture was given for", () => {

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { pause, reset, run, step, stop } from "../../state/actions/actions";
@@ -98,7 +99,8 @@ export class RunPanel extends Part {
     if (phase === "idle") return this.wordsAtRest();
     const words = phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : this.state.progress.words;
     if (running !== null && running !== doc.task) return `${this.named(running).page.tab}: ${words}`;
-    return comparing ? `Loose strokes, to compare: ${words}` : words;
+    if (comparing === null) return words;
+    return comparing === "loose" ? `Loose strokes, to compare: ${words}` : msg(str`Another wire, to lay beside: ${words}`);
   }
 
   private wordsAtRest(): string {

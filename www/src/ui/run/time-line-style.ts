@@ -58,6 +58,12 @@ export const timeLineStyle = css`
     border-radius: 1px;
     background: var(--line-strong);
   }
+  /* Where control points came, went or were laid anew. */
+  .marks :is(.reinit, .refine, .respace, .thin) {
+    top: -6px;
+    height: 10px;
+    background: var(--copper);
+  }
   .marks .done {
     background: var(--copper);
   }

@@ -1,8 +1,12 @@
 /** How much of a wire the wire is: from one that follows every line of the pictures to a calm one. */
 
+import { nothing } from "lit";
+import { isHidden, isSettingLocked } from "../../state/common/locks";
 import type { Studio, StudioState } from "../../state/studio";
 import { segmented } from "../shared/segmented";
 
+/** What it sets. */
+const SETTINGS = ["smooth", "smoothness"] as const;
 const LINES = "lines";
 /** Words and weight of bending, by choice. */
 const CHOICES: Readonly<Record<string, readonly [words: string, smoothness: string]>> = {
@@ -12,7 +16,8 @@ const CHOICES: Readonly<Record<string, readonly [words: string, smoothness: stri
   calm: ["Calm", "4"],
 };
 
-export function wireChoice(studio: Studio, { phase }: StudioState) {
+export function wireChoice(studio: Studio, state: StudioState) {
+  if (SETTINGS.some((name) => isHidden(state, name))) return nothing;
   const { options } = studio;
   const smoothness = Number(options.value("smoothness") || 1);
   const nearest = Object.keys(CHOICES)
@@ -23,7 +28,7 @@ export function wireChoice(studio: Studio, { phase }: StudioState) {
     name: "wire",
     options: Object.entries(CHOICES).map(([value, [words]]) => ({ value, words })),
     value: options.value("smooth") === "off" ? LINES : nearest,
-    locked: phase !== "idle",
+    locked: state.phase !== "idle" || SETTINGS.some((name) => isSettingLocked(state, name)),
     choose: (value) => options.setAll({ smooth: value === LINES ? "off" : "on", smoothness: CHOICES[value]![1] }, "Set the wire", "set wire"),
   });
 }

@@ -2,6 +2,7 @@ import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../../engine/protocol";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
+import { isLocked } from "../../state/common/locks";
 import { viewWords } from "../../view/heading";
 import { Part } from "../../view/part";
 import { download } from "./download";
@@ -51,12 +52,13 @@ export class SavePanel extends Part {
 
   override render() {
     const none = !deskOf(this.state.doc).made || this.state.phase !== "idle";
+    const unshared = none || isLocked(this.state, "share");
     const { views, shown } = this;
     return html`
       <h2>Save and share</h2>
       <div class="links">
-        <button class="link" ?disabled=${none} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
-        <button class="more" ?disabled=${none} @click=${() => void this.share()}>QR, embed…</button>
+        <button class="link" ?disabled=${unshared} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
+        <button class="more" ?disabled=${unshared} @click=${() => void this.share()}>QR, embed…</button>
       </div>
       ${this.byHand
         ? html`<label class="small quiet" for="link">Copy it from here:</label><input id="link" type="text" readonly .value=${this.byHand} />`
@@ -105,7 +107,7 @@ export class SavePanel extends Part {
   async copyLink(): Promise<void> {
     const link = this.studio.saver.link(location.href);
     if (!link) return;
-    history.replaceState(null, "", new URL(link).hash);
+    this.address(link);
     try {
       await navigator.clipboard.writeText(link);
       this.byHand = "";
@@ -122,11 +124,17 @@ export class SavePanel extends Part {
   async share(): Promise<void> {
     const link = this.studio.saver.link(location.href);
     if (!link) return;
-    history.replaceState(null, "", new URL(link).hash);
+    this.address(link);
     const { ShareDialog } = await import("./share-dialog");
     const dialog = document.querySelector<InstanceType<typeof ShareDialog>>("share-dialog") ?? document.body.appendChild(new ShareDialog());
     Object.assign(dialog, { studio: this.studio, task: this.task });
     await dialog.show();
+  }
+
+  /** The wire's address, unless a lesson or a class has one of its own there. */
+  private address(link: string): void {
+    const { lesson, locks } = this.state;
+    if (!lesson && locks.lock.length + locks.hide.length === 0) history.replaceState(null, "", new URL(link).hash);
   }
 
   private file({ format, name, use }: FileKind, none: boolean) {

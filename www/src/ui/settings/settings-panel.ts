@@ -3,6 +3,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow, SettingsTable, SettingValues } from "../../engine/protocol";
 import { setWhenHidden } from "../../state/actions/actions";
 import { ANYWHERE, INSTEAD, WHEN_HIDDEN, type Studio, type Whereabouts, type WhenHidden } from "../../state/studio";
+import { isHidden, isSettingLocked, NO_LOCKS, type Locks } from "../../state/common/locks";
 import { Part } from "../../view/part";
 import { foldStyle } from "../shared/fold";
 import { icons } from "../shared/icons";
@@ -39,6 +40,7 @@ export class SettingsPanel extends Part {
   @property({ attribute: false }) where: Whereabouts = ANYWHERE;
   @property() whenHidden: WhenHidden = "go";
   @property({ type: Boolean }) locked = false;
+  @property({ attribute: false }) locks: Locks = NO_LOCKS;
   /** Groups that were opened: the controls of the others are not made yet. */
   @state() private opened: ReadonlySet<string> = new Set();
 
@@ -98,7 +100,7 @@ export class SettingsPanel extends Part {
   }
 
   private isHere(name: string): boolean {
-    return name !== PRESET && !this.elsewhere.includes(name);
+    return name !== PRESET && !isHidden(this, name) && !this.elsewhere.includes(name);
   }
 
   private group(group: string, changed: readonly string[]) {
@@ -123,7 +125,7 @@ export class SettingsPanel extends Part {
       .row=${row}
       .value=${byAddress ? where.asked : this.studio.options.value(row.name)}
       .usual=${byAddress ? "" : this.usual(row.name)}
-      ?locked=${this.locked || byAddress}
+      ?locked=${this.locked || byAddress || isSettingLocked(this, row.name)}
       @choose=${(event: CustomEvent<string>) => this.studio.options.set(row.name, event.detail)}
       >${place ? this.whereabouts() : nothing}</setting-control
     >`;

@@ -36,12 +36,14 @@ import eraser from "lucide-static/icons/eraser.svg?raw";
 import flip from "lucide-static/icons/flip-vertical-2.svg?raw";
 import turnCcw from "lucide-static/icons/rotate-ccw-square.svg?raw";
 import turnCw from "lucide-static/icons/rotate-cw-square.svg?raw";
+import glass from "lucide-static/icons/scan-search.svg?raw";
 import search from "lucide-static/icons/search.svg?raw";
 import shapes from "lucide-static/icons/shapes.svg?raw";
 import trash from "lucide-static/icons/trash-2.svg?raw";
 import letters from "lucide-static/icons/type.svg?raw";
 import wand from "lucide-static/icons/wand-sparkles.svg?raw";
 import spline from "lucide-static/icons/spline.svg?raw";
+import book from "lucide-static/icons/book-open.svg?raw";
 import folder from "lucide-static/icons/folder-open.svg?raw";
 
 /** Only the shapes of a file go into the page: size and colour are those of `svg.icon` in shared.ts. */
@@ -85,6 +87,7 @@ export const icons = {
   mirror: icon(flip),
   turnLeft: icon(turnCcw),
   turnRight: icon(turnCw),
+  glass: icon(glass),
   search: icon(search),
   shapes: icon(shapes),
   clear: icon(trash),
@@ -92,4 +95,5 @@ export const icons = {
   arrange: icon(wand),
   bend: icon(spline),
   open: icon(folder),
+  lesson: icon(book),
 };

@@ -16,4 +16,7 @@ export const wireStageStyle = css`
     aspect-ratio: auto;
     font: inherit;
   }
+  .over {
+    pointer-events: none;
+  }
 `;

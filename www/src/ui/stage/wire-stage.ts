@@ -1,6 +1,8 @@
 import { customElement } from "lit/decorators.js";
 import { startWorker } from "#sculpture/scene/aside";
 import { WireSculpture } from "#sculpture/element/element";
+import type { Mat4 } from "#sculpture/scene/matrix";
+import { cameraOf } from "#sculpture/scene/orbit";
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Vantage } from "#sculpture/scene/stage";
 import type { Heading } from "../../view/heading";
@@ -10,8 +12,10 @@ import { wireStageStyle } from "./wire-stage-style";
 /** Of the processor's time, for pictures while a run needs it. */
 const RUN_SHARE = 0.1;
 
+const DEGREE = Math.PI / 180;
+
 function from({ azimuth, elevation }: Heading): Vantage {
-  return { azimuthRad: (azimuth * Math.PI) / 180, elevationRad: (elevation * Math.PI) / 180 };
+  return { azimuthRad: azimuth * DEGREE, elevationRad: elevation * DEGREE };
 }
 
 /**
@@ -82,6 +86,20 @@ export class WireStage extends WireSculpture {
 
   setWire(wire: WireShape | null): void {
     this.wire = wire;
+  }
+
+  /** Lays a canvas over the picture. */
+  lay(over: HTMLCanvasElement): void {
+    over.classList.add("over");
+    this.shadowRoot!.querySelector(".view")!.append(over);
+  }
+
+  /** World to clip space, as the picture of that size has it now; null before there is one. A `camera-change` tells of another. */
+  clipFromWorld(width: number, height: number): Mat4 | null {
+    const { camera } = this.getState();
+    if (!camera || !(width > 0 && height > 0)) return null;
+    const { azimuth, elevation, reach, lens, target } = camera;
+    return cameraOf({ azimuthRad: azimuth * DEGREE, elevationRad: elevation * DEGREE, reach, fovYRad: lens * DEGREE, target }, width, height).clipFromWorld;
   }
 
   /** To where no button leads. */

@@ -2,13 +2,9 @@
 
 import { css } from "lit";
 
-export const wireComparisonStyle = css`
+export const wirePairStyle = css`
   :host {
-    display: grid;
-    gap: 8px;
-  }
-  p {
-    margin: 0;
+    display: block;
   }
   table {
     width: 100%;
