@@ -3,6 +3,7 @@
 
 mod crew;
 mod guidance;
+mod hands;
 mod insight;
 mod made;
 mod pictures;

@@ -40,6 +40,7 @@ const ROOMS: readonly string[] = [
   "ui/stage",
   "ui/run",
   "ui/glass",
+  "ui/hands",
   "ui/save",
   "ui/lesson",
   "ui/app",

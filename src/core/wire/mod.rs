@@ -5,6 +5,7 @@
 
 mod basis;
 mod bezier;
+mod editing;
 mod forms;
 mod hairpins;
 mod insertion;
@@ -17,6 +18,7 @@ mod removal;
 mod respacing;
 mod sampling;
 
+pub use editing::{Edit, Edited};
 pub use hairpins::with_open_hairpins;
 pub use jerk::Jerk;
 pub use layout::{MAX_CONTROL_POINTS, MAX_COORDINATE, MAX_KNOT, MIN_CONTROL_POINTS, MIN_KNOT_SPACING, Span};

@@ -27,6 +27,17 @@ impl Wire {
     }
 }
 
+impl Wire {
+    /// Without the knot in the middle of what control point `index` pulls, and how far the curve may have moved; `None` where that
+    /// may not go.
+    pub(super) fn without_point(&self, index: usize) -> Option<Result<(Wire, f64)>> {
+        let mut thinning = Thinning::new(self);
+        let loss = thinning.losses.get(index.checked_sub(1)?).copied().flatten()?;
+        thinning.remove(loss);
+        Some(Wire::new(self.form, self.closed, thinning.knots, thinning.points).map(|wire| (wire, loss.error)))
+    }
+}
+
 /// A wire that loses knots.
 struct Thinning {
     closed: bool,

@@ -3,7 +3,7 @@
 import type { WireShape } from "#sculpture/scene/shape";
 import type { DiffusionOptions, GuidanceDenoiser, GuidanceEncoder, GuidanceNetwork, WordsOptions } from "./wasm/wire4d";
 import type { Ask } from "./crew";
-import type { Backend, Faults, Finished, Frame, Ink, Insight, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View } from "./protocol";
+import type { Backend, EditedFile, Faults, Finished, Frame, Ink, Insight, Measures, Picture, Place, Placed, RunEvent, SettingsTable, SettingsTables, Snapshot, Target, View, WireEdit } from "./protocol";
 import init, * as wasm from "./wasm/wire4d";
 import moduleUrl from "./wasm/wire4d_bg.wasm?url";
 
@@ -102,6 +102,13 @@ const core = {
     "code" in given
       ? taken(wasm.Made.from_share_code(given.code), finished)
       : taken(wasm.Made.from_file(given.name, given.file), (made) => ({ ...finished(made), notes: made.notes() })),
+
+  edited: (file: Bytes, edit: WireEdit): EditedFile => {
+    const first = "index" in edit ? edit.index : "after" in edit ? edit.after : edit.from;
+    const last = edit.kind === "smooth" || edit.kind === "straighten" ? edit.to : first;
+    const place = edit.kind === "move" ? Float64Array.from(edit.to) : new Float64Array();
+    return taken(wasm.edit_file(file, edit.kind, first, last, place), (edited) => ({ file: own(edited.file()), held: edited.held, strayed: edited.strayed }));
+  },
 };
 
 let loading: Promise<typeof core> | null = null;

@@ -191,6 +191,21 @@ export type SettingValues = Readonly<Record<string, string>>;
 
 export type ExportFormat = "glb" | "stl" | "obj" | "svg" | "lines.svg" | "wire.json" | "bend.csv";
 
+/** One thing done to a wire by hand; control points are counted from 0. */
+export type WireEdit =
+  | { readonly kind: "move"; readonly index: number; readonly to: readonly [x: number, y: number, z: number, width: number] }
+  | { readonly kind: "insert"; readonly after: number }
+  | { readonly kind: "remove"; readonly index: number }
+  | { readonly kind: "smooth" | "straighten"; readonly from: number; readonly to: number };
+
+export interface EditedFile {
+  readonly file: Uint8Array<ArrayBuffer>;
+  /** The control point that a hand would hold now. */
+  readonly held: number;
+  /** How far the curve may have moved though nobody moved it, world units. */
+  readonly strayed: number;
+}
+
 /** A wire.json to be made simpler, for a share code of at most so many characters. */
 export interface SimplifyArguments {
   readonly file: Uint8Array;
@@ -254,6 +269,8 @@ export interface Calls {
   carry: { arguments: { picture: Uint8Array<ArrayBuffer>; file: Uint8Array<ArrayBuffer> }; answer: Uint8Array<ArrayBuffer> };
   /** `null` where nothing like the wire is as short. */
   simplify: { arguments: SimplifyArguments; answer: Simplified | null };
+  /** A wire.json after an edit by hand. Refused with a sentence where that cannot be. */
+  edit: { arguments: { file: Uint8Array<ArrayBuffer>; edit: WireEdit }; answer: EditedFile };
   /** What a network from elsewhere is, before anything of it is used. */
   lookAtGuidance: { arguments: { from: Source }; answer: Facts };
   /**

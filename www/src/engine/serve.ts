@@ -26,6 +26,7 @@ const handlers: Handlers = {
   export: async (given) => (await files()).exported(given),
   carry: async ({ picture, file }) => (await files()).withWire(picture, file),
   simplify: async (given) => (await files()).simplified(given),
+  edit: async ({ file, edit }) => (await loaded()).edited(file, edit),
   lookAtGuidance: async ({ from }) => (await guidance()).look(from),
   openGuidance: async ({ from, prefer, keep }, tell) => (await guidance()).open(from, prefer, keep, (words, share) => tell({ news: "guidance", words, share })),
   askGuidance: async ({ question }) => (await guidance()).ask(question),

@@ -27,7 +27,7 @@ export interface Desk {
 /** A wire with where it is from. */
 export interface Made {
   readonly finished: Finished;
-  readonly source: "example" | "link" | "file" | "run";
+  readonly source: "example" | "link" | "file" | "run" | "hand";
   /** Whether the file that it came from brought what it was made of. */
   readonly carried?: boolean;
   /** The run it came from; null for a wire from elsewhere. */

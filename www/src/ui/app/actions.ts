@@ -42,6 +42,21 @@ export const glass: PageAction = {
   },
 };
 
+/** Takes the wire in hand, or leaves it. */
+export const hands: PageAction = {
+  id: "hands",
+  part: "hands",
+  label: "Hands on",
+  keys: ["E"],
+  help: "Take the wire in hand, or leave it",
+  act: (page) => {
+    const { store } = page.bench;
+    const isOpen = store.get().tool === "hands";
+    useTool.act(page, isOpen ? null : "hands");
+    store.set({ said: isOpen ? msg("The wire is left as it is.") : msg("The wire is in hand: choose a point beside the stage.") });
+  },
+};
+
 export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };
 
 /** In the order of help's list. */
@@ -56,5 +71,6 @@ export const ACTIONS: readonly PageAction[] = [
   redo,
   share,
   glass,
+  hands,
   help,
 ];

@@ -5,4 +5,5 @@ import type { OpenTool } from "../stage/tool";
 
 export const TOOL_PARTS: Readonly<Partial<Record<Tool, () => Promise<{ readonly open: OpenTool }>>>> = {
   glass: () => import("../glass/open"),
+  hands: () => import("../hands/open"),
 };

@@ -19,7 +19,7 @@ import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 import type { ToolParts } from "../stage/tool";
 import type { WireStage } from "../stage/wire-stage";
-import { glass, help, share, type PageAction, type PageParts } from "./actions";
+import { glass, hands, help, share, type PageAction, type PageParts } from "./actions";
 import { layout } from "./app-layout";
 import "./drop-hint";
 import "./live-region";
@@ -111,6 +111,7 @@ export class WireApp extends LitElement {
           @see-through=${this.seeThrough}
         ></wire-stage>
         <div class="tool-buttons">
+          <button ?hidden=${isHidden(now, "hands")} ?disabled=${!studio.can(hands)} aria-pressed=${String(now.tool === "hands")} title=${msg("Take the wire in hand, or leave it (E)")} @click=${() => this.act(hands)}>${icons.hand} <span>${msg("Hands on")}</span></button>
           <button ?hidden=${isHidden(now, "glass")} ?disabled=${!studio.can(glass)} aria-pressed=${String(now.tool === "glass")} title=${msg("Open the optimiser, or close it (G)")} @click=${() => this.act(glass)}>${icons.glass} <span>${msg("Glass box")}</span></button>
         </div>
         ${this.narrow.matches ? nothing : this.timeLine()}

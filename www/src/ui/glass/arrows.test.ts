@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { cameraOf } from "#sculpture/scene/orbit";
-import { arrowsOf, onPicture, scaleOf } from "./arrows";
+import { onPicture } from "../../view/on-picture";
+import { arrowsOf, scaleOf } from "./arrows";
 
 /** Two control points: one pulled gently to the right, one hard upwards. */
 const points = [0, 0, 0, 0.1, 1, 0, 0, 0.1];

@@ -8,7 +8,8 @@ import { pageColours } from "../../view/colours";
 import { profileOf, type Profile } from "../../view/profile";
 import { isDark } from "../shared/theme";
 import type { WireStage } from "../stage/wire-stage";
-import { onPicture, paintOverlay, type Pulling } from "./arrows";
+import { onPicture } from "../../view/on-picture";
+import { paintOverlay, type Pulling } from "./arrows";
 import { ALL, inkOf, OF_ALL, together, type Ink } from "./terms";
 
 export interface GlassState {

@@ -11,6 +11,7 @@ import question from "lucide-static/icons/circle-question-mark.svg?raw";
 import dices from "lucide-static/icons/dices.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import braces from "lucide-static/icons/file-braces.svg?raw";
+import hand from "lucide-static/icons/hand.svg?raw";
 import image from "lucide-static/icons/image.svg?raw";
 import images from "lucide-static/icons/images.svg?raw";
 import link from "lucide-static/icons/link.svg?raw";
@@ -88,6 +89,7 @@ export const icons = {
   turnLeft: icon(turnCcw),
   turnRight: icon(turnCw),
   glass: icon(glass),
+  hand: icon(hand),
   search: icon(search),
   shapes: icon(shapes),
   clear: icon(trash),
