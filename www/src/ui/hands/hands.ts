@@ -111,8 +111,9 @@ export class Hands {
   private takeUp(): void {
     const wire = this.isOpen ? (this.made?.finished.wire ?? null) : null;
     const most = wire ? wire.controlPoints.length / 4 - 1 : 0;
-    const { held, end } = this.store.get();
-    this.store.set({ wire, held: Math.min(held, most), end: Math.min(end, most) });
+    const { wire: before, end } = this.store.get();
+    const held = Math.min(this.store.get().held, most);
+    this.store.set({ wire, held, end: Math.min(before ? end : held + STRETCH, most) });
   }
 
   /** The nearest control point that somebody points at. */
