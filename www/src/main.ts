@@ -1,6 +1,7 @@
 import "./styles.css";
 import { startTheme } from "./ui/shared/theme";
 import { openWords } from "./words/open";
+import { sayIn } from "./words/told";
 
 startTheme();
 const words = openWords();
@@ -9,6 +10,7 @@ void navigator.locks?.request(`wire4d-page-${import.meta.url}`, { mode: "shared"
 // One after the other: to run all scripts at once would keep a slow machine from answering.
 await import("lit");
 await words;
+sayIn(document);
 const { Studio } = await import("./state/studio");
 const { before, TASKS } = await import("./tasks/registry");
 const { WireApp } = await import("./ui/app/wire-app");

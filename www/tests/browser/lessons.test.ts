@@ -177,9 +177,9 @@ it("goes on where this browser left a lesson, with its answers, and keeps what w
   await mouse.press(page, "Next");
   await mouse.press(page, "Next");
   await expect.poll(() => inkOn(page, 0)).toBeGreaterThan(0.005);
-  await mouse.press(page, "Back");
+  await mouse.press(page, "Go back");
   await expect.poll(() => inkOn(page, 0)).toBe(0);
-  await mouse.press(page, "Back");
+  await mouse.press(page, "Go back");
   await mouse.press(page, "Start this step again");
   await expect.poll(() => inkOn(page, 0)).toBeGreaterThan(0.005);
   await close(visited);

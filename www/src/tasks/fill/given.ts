@@ -1,5 +1,6 @@
 /** What a person gives: a mesh to be covered, and the style that the wire takes on. Immutable, without elements. */
 
+import { msg } from "@lit/localize";
 import type { Affects } from "../../engine/protocol";
 import type { AddressForm } from "../../state/contract/task";
 import { pixelsOf, type KeptPicture } from "../../state/picture/picture";
@@ -19,9 +20,11 @@ export interface StylePicture extends KeptPicture {
 const isShape = (word: string | undefined): word is ShapeName => SHAPES.some((shape) => shape === word);
 const isPattern = (word: string | undefined): word is PatternName => PATTERNS.some((pattern) => pattern === word);
 
+const SHAPE_WORDS: Readonly<Record<ShapeName, string>> = { creature: msg("Creature"), knot: msg("Knot"), vase: msg("Vase"), torus: msg("Torus"), sphere: msg("Sphere") };
+
 /** "Creature", or what the file is called. */
 export function meshName(mesh: Mesh): string {
-  return "shape" in mesh ? mesh.shape.charAt(0).toUpperCase() + mesh.shape.slice(1) : mesh.name;
+  return "shape" in mesh ? SHAPE_WORDS[mesh.shape] : mesh.name;
 }
 
 /** Tells one shape from every other. */

@@ -107,7 +107,7 @@ export class CoverTaker implements Taker<Cover | null> {
   turn(up: Up): void {
     this.instead("mesh");
     const { cover } = this;
-    if (cover && !("shape" in cover.mesh)) this.put({ ...cover.mesh, key: crypto.randomUUID(), up }, msg("Turn"));
+    if (cover && !("shape" in cover.mesh)) this.put({ ...cover.mesh, key: crypto.randomUUID(), up }, msg(str`Turn ${cover.mesh.name}`));
   }
 
   pattern(style: PatternName | null): void {
@@ -131,9 +131,9 @@ export class CoverTaker implements Taker<Cover | null> {
     if (this.cover) this.edit(msg("Take the shape away"), null);
   }
 
-  private put(mesh: Mesh, what = msg("Take the shape")): void {
+  private put(mesh: Mesh, label = msg(str`Take the shape ${meshName(mesh)}`)): void {
     const style = this.cover?.style ?? null;
-    this.edit(`${what} ${meshName(mesh)}`, { mesh, style });
+    this.edit(label, { mesh, style });
   }
 
   private wear(style: Cover["style"], label: string): void {

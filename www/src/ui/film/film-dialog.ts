@@ -287,4 +287,4 @@ export class FilmDialog extends LitElement {
 
 const SHAPE_OPTIONS = [...Object.entries(SHAPES).map(([value, { words, width, height }]) => ({ value, words, title: `${width} × ${height}` })), { value: "custom", words: msg("Other") }];
 const ROOM_OPTIONS = [{ value: "room", words: msg("Room") }, { value: "wire", words: msg("Wire") }];
-const GROUNDS = [{ value: "light", words: msg("Light") }, { value: "dark", words: msg("Dark") }, { value: "clear", words: msg("Clear") }];
+const GROUNDS = [{ value: "light", words: msg("Light") }, { value: "dark", words: msg("Dark") }, { value: "clear", words: msg("See-through") }];

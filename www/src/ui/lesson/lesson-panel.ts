@@ -46,7 +46,7 @@ export class LessonPanel extends Part {
       ${step.question ? this.question(step.question) : nothing}
       ${this.doing(step)}
       <nav aria-label=${msg("Steps of the lesson")}>
-        <button ?disabled=${at === 0} @click=${() => this.go(at - 1)}>${msg("Back")}</button>
+        <button ?disabled=${at === 0} @click=${() => this.go(at - 1)}>${msg("Go back")}</button>
         ${last
           ? this.leaves
             ? html`<button class="primary" @click=${this.leave}>${msg("Finish")}</button>`

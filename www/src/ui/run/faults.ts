@@ -7,7 +7,8 @@ import { count, counted } from "../../words/numbers";
 export const FAULTS = { tight: msg("Bends"), penetrating: msg("Strands") } as const satisfies Record<keyof Faults, string>;
 
 export function faultWords(fault: keyof Faults, places: number): string {
+  if (places === 0) return fault === "tight" ? msg("nowhere tighter than a hand can bend") : msg("nowhere through itself");
   const where = counted(places, msg("in 1 place"), msg(str`in ${count(places)} places`));
   if (fault === "penetrating") return msg(str`passes through itself ${where}`);
-  return places === 0 ? msg("nowhere tighter than a hand can bend") : msg(str`tighter than a hand can bend ${where}`);
+  return msg(str`tighter than a hand can bend ${where}`);
 }

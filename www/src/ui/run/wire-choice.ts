@@ -12,7 +12,7 @@ const LINES = "lines";
 /** Words and weight of bending, by choice. */
 const CHOICES: Readonly<Record<string, readonly [words: string, smoothness: string]>> = {
   [LINES]: [msg("Every line"), "1"],
-  close: [msg("Close"), "0.3"],
+  close: [msg("Closely"), "0.3"],
   even: [msg("Smooth"), "1"],
   calm: [msg("Calm"), "4"],
 };

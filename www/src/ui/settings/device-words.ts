@@ -3,17 +3,19 @@
 import { msg, str } from "@lit/localize";
 import type { Place } from "../../engine/protocol";
 import { count, decimal } from "../../words/numbers";
+import { told } from "../../words/told";
 import { WORDS } from "./setting-words";
 
 /** "Graphics card · Apple M2"; a processor has no name that says more. */
 export function deviceOf({ backend, device }: Place): string {
   const kind = WORDS["backend"]!.choices![backend]!;
-  return device && device.toLowerCase() !== kind.toLowerCase() ? `${kind} · ${device}` : kind;
+  return device && device !== "processor" ? `${kind} · ${device}` : kind;
 }
 
 /** "The processor does the work, as the settings ask. It uses 2 of its cores." */
 export function reasonOf({ why, workers = 1 }: Place): string {
-  return workers > 1 ? msg(str`${why} It uses ${workers} of its cores.`) : why;
+  const because = told(why);
+  return workers > 1 ? msg(str`${because} It uses ${workers} of its cores.`) : because;
 }
 
 /** "840 steps a second". */

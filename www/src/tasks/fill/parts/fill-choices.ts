@@ -25,7 +25,7 @@ const SPACING: Slider = {
   name: "curve_spacing",
   label: msg("Spacing"),
   range: [0.03, 0.16, 0.005],
-  ends: [msg("Close"), msg("Wide")],
+  ends: [msg("Narrow"), msg("Wide")],
   // The shape is two units across.
   words: (value) => msg(str`${decimal(50 * value, 1)}% of its size`),
 };

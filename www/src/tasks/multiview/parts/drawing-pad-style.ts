@@ -115,7 +115,13 @@ export const drawingPadStyle = css`
     }
   }
   /* A third of a phone's width: the sheet is the button, all else is in the editor and the menu. */
+  .line .less {
+    display: none;
+  }
   @container (max-width: 149px) {
+    .line .less {
+      display: inline;
+    }
     .head {
       min-height: 36px;
       gap: 0;

@@ -149,7 +149,7 @@ export class DrawingPad extends Part {
     const { busy, note } = passingOf(this.state, multiview).pads[this.slotName];
     if (busy) return html`<span>${msg("Reading…")}</span>`;
     if (coverable !== undefined && coverable < AS_GOOD_AS_ALL) {
-      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">${msg("of it can be")} </span>${msg("shown")}</span>`;
+      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">${msg("of it can be shown")}</span><span class="less">${msg("shown")}</span></span>`;
     }
     if (note) return html`<span title=${note}>${note}</span>`;
     return html`<span>${coverable === undefined ? (this.paper?.label ?? "") : msg("All can be shown")}</span>`;

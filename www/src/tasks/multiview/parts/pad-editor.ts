@@ -319,7 +319,7 @@ export class PadEditor extends LitElement {
               legend: msg("Ink is"),
               name: "ink",
               options: [
-                { value: "auto", words: layer.reading.ink === "auto" ? msg(str`Auto (${layer.found.polarity})`) : msg("Auto") },
+                { value: "auto", words: layer.reading.ink === "auto" ? msg(str`Auto (${layer.found.polarity === "dark" ? msg("dark") : msg("light")})`) : msg("Auto") },
                 { value: "dark", words: msg("Dark") },
                 { value: "light", words: msg("Light") },
               ],

@@ -130,9 +130,9 @@ export class MaskEditor extends LitElement {
               ${this.problem ? html`<p class="small problem" role="alert">${this.problem}</p>` : nothing}
               <p class="small quiet status" role="status">${this.told()}</p>
               <p class="small quiet fine">
-                ${msg("With keys:")} <kbd>${msg("Tab")}</kbd> ${msg("to the picture, arrows move,")} <kbd>${msg("Space")}</kbd> ${msg(str`starts and ends a ${choice === "box" ? "box" : "stroke"}`)}${choice === "box"
+                ${msg("With keys:")} <kbd>${msg("Tab")}</kbd> ${msg("to the picture, arrows move,")} <kbd>${msg("Space")}</kbd> ${choice === "box" ? msg("starts and ends a box") : msg("starts and ends a stroke")}${choice === "box"
                   ? nothing
-                  : html`, <kbd>X</kbd> ${msg(str`swaps ${choice === "fine" ? msg("add and remove") : msg("this and not this")}`)}`}${choice === "fine" ? html`, <kbd>[</kbd> <kbd>]</kbd> ${msg("change the size")}` : nothing}.
+                  : html`, <kbd>X</kbd> ${choice === "fine" ? msg("swaps add and remove") : msg("swaps this and not this")}`}${choice === "fine" ? html`, <kbd>[</kbd> <kbd>]</kbd> ${msg("change the size")}` : nothing}.
               </p>
             </div>
           </div>

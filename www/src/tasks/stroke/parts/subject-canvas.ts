@@ -103,7 +103,9 @@ export class SubjectCanvas extends Part {
   override render() {
     const { subject, tool, brush } = this;
     const works = subject && tool && tool.kind !== "choose";
-    const keys = msg(str`Arrow keys move the ${brush ? "brush" : "corner"}, with Shift in larger steps. Space starts and ends a ${brush ? "stroke" : "box"}. Escape takes it back.`);
+    const keys = brush
+      ? msg("Arrow keys move the brush, with Shift in larger steps. Space starts and ends a stroke. Escape takes it back.")
+      : msg("Arrow keys move the corner, with Shift in larger steps. Space starts and ends a box. Escape takes it back.");
     return html`<div
         part="frame"
         class="frame ${works ? "workable" : tool ? "tappable" : ""} ${this.asks ? "asks" : ""}"

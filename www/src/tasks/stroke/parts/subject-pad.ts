@@ -184,7 +184,7 @@ export class SubjectPad extends Part {
   private depth({ picture: { width, height }, depth }: Subject) {
     const { locked } = this;
     return html`<details>
-      <summary><span class="small">${msg("Depth picture")}</span><span class="aside small quiet">${depth ? depth.name : "none"}</span>${icons.more}</summary>
+      <summary><span class="small">${msg("Depth picture")}</span><span class="aside small quiet">${depth ? depth.name : msg("none")}</span>${icons.more}</summary>
       <div class="group">
         <p class="small quiet">
           ${msg(str`Where you have one, it says how near each place is: light is near, dark is far. It must have the picture's size, ${width} × ${height}.`)}
