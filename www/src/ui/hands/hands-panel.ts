@@ -112,7 +112,7 @@ export class HandsPanel extends Part {
       </div>
       <div class="row" role="group" aria-label=${msg("A stretch")}>
         <label class="which">${msg("Stretch to point")}<input id="end" type="number" min="1" max=${hands.count} .value=${String(end + 1)} @change=${(event: Event) => hands.stretchTo(numberIn(event) - 1)} /></label>
-        <button id="smooth" @click=${() => hands.edit({ kind: "smooth", from: held, to: end }, msg("Smooth a stretch"), () => msg("The stretch bends less. Again, and it bends less still."))}>${msg("Smooth")}</button>
+        <button id="smooth" @click=${() => hands.edit({ kind: "smooth", from: held, to: end }, msg("Smooth a stretch"), () => msg("The stretch bends less. Again, and it bends less still."))}>${msg("Smooth it")}</button>
         <button id="straighten" @click=${() => hands.edit({ kind: "straighten", from: held, to: end }, msg("Straighten a stretch"), () => msg("The stretch is straight."))}>${msg("Straighten")}</button>
       </div>
       ${Math.abs(end - held) < 2 ? html`<p class="small quiet">${msg("A stretch has at least one point between its ends.")}</p>` : nothing}
