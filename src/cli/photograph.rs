@@ -70,7 +70,7 @@ pub fn command() -> Command {
                 .value_parser(value_parser!(f32))
                 .help("How far away it is; the wire lies in a box of about 2 [default: so far that all shadows are seen]"),
         )
-        .arg(number("view-angle", "DEGREES", "30", "How much it sees, from its picture's lower to its upper border"))
+        .arg(number("view-angle", "DEGREES", "26", "How much it sees, from its picture's lower to its upper border"))
         .arg(number("aperture", "UNITS", "0", "Radius of its lens: more is sharp at the wire alone"))
         .arg(number("lamp-radius", "UNITS", "0.16", "Size of the lamps: 0 throws the sharpest shadows"))
         .arg(number("lamp-distance", "UNITS", "24", "How far they are: from farther, shadows are as a view shows the wire"))
@@ -127,7 +127,11 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     bar.finish_and_clear();
     let out = args::path(matches, "out");
     let [width, height] = film.size();
-    let png = encode_colour_png(&out.display().to_string(), [width, height], film.developed(Develop { exposure }))?;
+    let png = encode_colour_png(
+        &out.display().to_string(),
+        [width, height],
+        film.developed(Develop { exposure, calmed: true }),
+    )?;
     write_whole(out, &png)?;
     println!("{}", out.display());
     Ok(())

@@ -12,11 +12,13 @@ use wire4d_core::{Error, Result, parallel};
 pub struct Develop {
     /// Stops of exposure: each doubles the light.
     pub exposure: f32,
+    /// Whether indirect light is mixed with that of pixels nearby: without, it is there at once, with all its noise.
+    pub calmed: bool,
 }
 
 impl Default for Develop {
     fn default() -> Develop {
-        Develop { exposure: 1.0 }
+        Develop { exposure: 1.0, calmed: true }
     }
 }
 
@@ -95,8 +97,11 @@ impl Film {
     /// As a picture: RGB, 3 bytes a pixel, sRGB, rows from the top.
     pub fn developed(&self, how: Develop) -> Vec<u8> {
         let gain = how.exposure.exp2();
-        let indirect = self.calmed();
         let share = 1.0 / self.passes.max(1) as f32;
+        let indirect = match how.calmed {
+            true => self.calmed(),
+            false => self.sums.iter().map(|sum| share * sum.indirect).collect(),
+        };
         let light = self.sums.iter().zip(&indirect).map(|(sum, indirect)| share * sum.direct + *indirect);
         light.flat_map(|light| encoded(filmic(gain * light))).collect()
     }

@@ -29,7 +29,7 @@ impl Default for Lens {
             elevation: 28.0,
             aim: [-0.32, -0.34, -0.32],
             distance: 6.6,
-            view_angle: 30.0,
+            view_angle: 26.0,
             aperture: 0.0,
         }
     }
@@ -40,7 +40,7 @@ impl Lens {
     pub fn of(place: Place, away: f32) -> Lens {
         match place {
             Place::Room => Lens::default(),
-            Place::Screens => Lens { aim: [0.0; 3], distance: 3.2 + 5.0 * away, ..Lens::default() },
+            Place::Screens => Lens { aim: [0.0; 3], distance: 3.6 + 5.8 * away, ..Lens::default() },
         }
     }
 }

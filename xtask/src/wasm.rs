@@ -1,4 +1,4 @@
-//! The core, the reader of mesh files and the writer of files as WebAssembly, a module each: compile with SIMD, bind, optimise. Steps whose
+//! The core, the reader of mesh files, the writer of files and the camera as WebAssembly, a module each: compile with SIMD, bind, optimise. Steps whose
 //! input has not changed are skipped.
 
 use crate::Result;
@@ -25,10 +25,14 @@ const WASM_FEATURES: &[&str] = &[
     "--enable-reference-types",
 ];
 
-/// What the page fetches at once, what it fetches when somebody brings a mesh, and when somebody saves or shares a wire: the
-/// crates and the names they have there.
-const MODULES: [[&str; 2]; 3] =
-    [["wire4d-web", "wire4d"], ["wire4d-web-meshes", "wire4d_model"], ["wire4d-web-files", "wire4d_files"]];
+/// What the page fetches at once, and what it fetches when somebody brings a mesh, saves or shares a wire, or takes a photograph
+/// of it: the crates and the names they have there.
+const MODULES: [[&str; 2]; 4] = [
+    ["wire4d-web", "wire4d"],
+    ["wire4d-web-meshes", "wire4d_model"],
+    ["wire4d-web-files", "wire4d_files"],
+    ["wire4d-web-photograph", "wire4d_photograph"],
+];
 
 /// Builds `{.js,.d.ts,_bg.wasm}` of each module in `www/src/engine/wasm`; needs the page's packages (for wasm-opt).
 pub fn build() -> Result {

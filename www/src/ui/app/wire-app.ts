@@ -131,7 +131,7 @@ export class WireApp extends LitElement {
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label=${msg("Save and share")} ?inert=${isLocked(now, "save")} ?hidden=${this.folded("share") || isHidden(now, "save")}>
-            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()}></save-panel>
+            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()} .photograph=${() => void this.photograph()}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label=${msg("Settings")} ?inert=${isLocked(now, "settings")} ?hidden=${this.folded("settings") || isHidden(now, "settings")}>
             <settings-panel
@@ -413,6 +413,18 @@ export class WireApp extends LitElement {
       save: (blob, ending) => this.saving.keep(blob, ending),
       carrying: (picture) => this.studio.saver.carrying(picture),
     });
+  }
+
+  /** So is the camera. */
+  private async photograph(): Promise<void> {
+    const { made } = deskOf(this.now.doc);
+    if (!made) return;
+    const { openPhotograph } = await import("../photograph/photograph-dialog");
+    const { file } = made.finished;
+    await openPhotograph(
+      { file, stage: this.stage.getState().camera, place: "room" },
+      { save: (blob, ending) => this.saving.keep(blob, ending), carrying: (picture) => this.studio.saver.carrying(picture) },
+    );
   }
 
   /** Help is loaded when it is first wanted. */

@@ -43,6 +43,8 @@ export class SavePanel extends Part {
   @property({ attribute: false }) picture!: () => Promise<Blob>;
   /** Opens pictures and films. */
   @property({ attribute: false }) film!: () => void;
+  /** Opens the photograph. */
+  @property({ attribute: false }) photograph!: () => void;
   /** The link, where the clipboard is not to be had. */
   @state() private byHand = "";
   @state() private busy = "";
@@ -71,6 +73,9 @@ export class SavePanel extends Part {
       </button>
       <button class="file" ?disabled=${none} @click=${() => this.film()}>
         ${icons.pictures}<span><b>${msg("Pictures and films")}</b><span class="small quiet">${msg("To post: PNG, MP4, GIF")}</span></span>
+      </button>
+      <button class="file" ?disabled=${none} @click=${() => this.photograph()}>
+        ${icons.aperture}<span><b>${msg("Photograph")}</b><span class="small quiet">${msg("With real lamps and shadows: PNG")}</span></span>
       </button>
       <div class="svg">
         ${this.file({ format: "svg", name: "SVG", use: msg("Lines of one view") }, none)}

@@ -2,6 +2,7 @@
 
 import { html, type TemplateResult } from "lit";
 import { unsafeSVG } from "lit/directives/unsafe-svg.js";
+import aperture from "lucide-static/icons/aperture.svg?raw";
 import leftRight from "lucide-static/icons/arrow-left-right.svg?raw";
 import brush from "lucide-static/icons/brush.svg?raw";
 import camera from "lucide-static/icons/camera.svg?raw";
@@ -78,6 +79,7 @@ export const icons = {
   check: icon(check),
   more: icon(chevronDown),
   close: icon(x),
+  aperture: icon(aperture),
   help: icon(question),
   language: icon(language),
   light: icon(sun),

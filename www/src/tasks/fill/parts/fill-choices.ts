@@ -25,7 +25,7 @@ const SPACING: Slider = {
   name: "curve_spacing",
   label: msg("Spacing"),
   range: [0.03, 0.16, 0.005],
-  ends: [msg("Narrow"), msg("Wide")],
+  ends: [msg("Close together"), msg("Far apart")],
   // The shape is two units across.
   words: (value) => msg(str`${decimal(50 * value, 1)}% of its size`),
 };
