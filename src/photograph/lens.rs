@@ -40,7 +40,7 @@ impl Lens {
     pub fn of(place: Place, away: f32) -> Lens {
         match place {
             Place::Room => Lens::default(),
-            Place::Screens => Lens { aim: [0.0; 3], distance: 3.6 + 5.8 * away, ..Lens::default() },
+            Place::Screens => Lens { aim: [0.0; 3], distance: 2.6 + 3.9 * away, ..Lens::default() },
         }
     }
 }
