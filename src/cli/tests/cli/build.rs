@@ -1,0 +1,116 @@
+//! `wire4d build`.
+
+use crate::verbs::{json, program, refused, succeeds, text};
+use serde_json::{Value, json as value};
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+fn build(wire: &Path, out: &Path, flags: &[&str]) -> Output {
+    program(&["build", text(wire), "--out", text(out)]).args(flags).output().unwrap()
+}
+
+fn wire(name: &str) -> std::path::PathBuf {
+    crate::repository().join("tests/wires").join(format!("{name}.json"))
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A wire.json of these points.
+fn written(folder: &Path, points: &[[f64; 4]]) -> std::path::PathBuf {
+    let knots: Vec<f64> = (0..points.len() + 7).map(|i| i as f64).collect();
+    let made = value!({
+        "format": "wire4d", "version": 1, "closed": true, "knots": knots, "control_points": points,
+        "views": [], "made_with": { "task": "", "seed": 0, "settings": {}, "wire4d": "0.1.0" },
+    });
+    let file = folder.join("written.json");
+    fs::write(&file, made.to_string()).unwrap();
+    file
+}
+
+#[test]
+fn a_wire_is_checked_at_a_size_and_gauge() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    let output = build(&wire("coil"), &out, &["--size-mm", "150", "--wire-mm", "1", "--metal", "steel"]);
+    assert_eq!(succeeds(&output), text(&out.join("build.json")));
+    assert!(said(&output).contains("1 mm steel wire"), "{}", said(&output));
+    let report = json(&out.join("build.json"));
+    assert_eq!(report["size_mm"], 150.0);
+    assert_eq!(report["stock"]["metal"], "steel");
+    let box_mm = report["check"]["box_mm"].as_array().unwrap();
+    let longest = box_mm.iter().filter_map(Value::as_f64).fold(0.0, f64::max);
+    assert!((longest - 151.0).abs() < 0.5, "{box_mm:?}");
+    // Nothing is written over unless that is asked for.
+    refused(&build(&wire("coil"), &out, &[]), "made");
+    succeeds(&build(&wire("coil"), &out, &["--overwrite", "--quiet"]));
+}
+
+#[test]
+fn a_gauge_thicker_than_the_air_between_strands_is_said_with_what_helps() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = build(&wire("knot"), &folder.path().join("made"), &["--size-mm", "40", "--wire-mm", "9"]);
+    let report = json(Path::new(&succeeds(&output)));
+    assert_eq!(report["check"]["passes"], false);
+    assert!(!report["check"]["clearance"]["meetings"].as_array().unwrap().is_empty());
+    let size = &report["check"]["passing"]["size_mm"];
+    assert!(said(&output).contains(&format!("--size-mm {}", size.as_f64().unwrap())), "{}", said(&output));
+    // What was said holds.
+    let larger = folder.path().join("larger");
+    let output = build(&wire("knot"), &larger, &["--size-mm", &size.to_string(), "--wire-mm", "9"]);
+    assert_eq!(json(Path::new(&succeeds(&output)))["check"]["passes"], true, "{}", said(&output));
+}
+
+#[test]
+fn a_wire_through_itself_says_where() {
+    let folder = tempfile::tempdir().unwrap();
+    let points: Vec<[f64; 4]> = (0..64)
+        .map(|i| f64::from(i) * std::f64::consts::TAU / 64.0)
+        .map(|t| [t.cos(), 0.6 * (2.0 * t).sin(), 0.0, 0.02])
+        .collect();
+    let output = build(&written(folder.path(), &points), &folder.path().join("made"), &[]);
+    let report = json(Path::new(&succeeds(&output)));
+    assert_eq!(report["check"]["clearance"]["meetings"][0]["through"], true);
+    assert_eq!(report["check"]["passing"]["size_mm"], Value::Null);
+    assert!(said(&output).contains("pass through the other"), "{}", said(&output));
+}
+
+#[test]
+fn twenty_thousand_points_are_no_trouble() {
+    let folder = tempfile::tempdir().unwrap();
+    // Hops at random: it touches itself everywhere, at every size.
+    let mut state = 1u32;
+    let mut number = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 23) - 1.0
+    };
+    let points: Vec<[f64; 4]> = (0..20_000)
+        .map(|_| [number(), number(), number(), 0.02].map(|x: f64| x.clamp(-1.0, 1.0)))
+        .map(|[x, y, z, _]| [x, y, z, 0.02])
+        .collect();
+    let output = build(&written(folder.path(), &points), &folder.path().join("made"), &[]);
+    let report = json(Path::new(&succeeds(&output)));
+    assert_eq!(report["check"]["passes"], false);
+}
+
+#[test]
+fn what_cannot_be_built_is_said_in_a_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    for (flags, names) in [
+        (["--size-mm", "0"], "--size-mm"),
+        (["--size-mm", "10000"], "5000 mm"),
+        (["--size-mm", "-3"], "--size-mm"),
+        (["--wire-mm", "0"], "--wire-mm"),
+        (["--wire-mm", "1e9"], "--wire-mm"),
+        (["--stock-mm", "0"], "--stock-mm"),
+        (["--metal", "gold"], "copper"),
+    ] {
+        refused(&build(&wire("coil"), &out, &flags), names);
+        assert!(!out.exists(), "{flags:?} leaves nothing behind");
+    }
+    refused(&build(&wire("bag"), &out, &[]), "loose curves");
+    refused(&build(Path::new("nowhere.json"), &out, &[]), "nowhere.json");
+}
