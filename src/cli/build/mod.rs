@@ -1,11 +1,13 @@
 //! `wire4d build`: how to make a wire from real wire.
 
+mod dxf;
+
 use crate::folder::Folder;
 use crate::{args, wires};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use serde::Serialize;
 use wire4d::Result;
-use wire4d_fabrication::{Centreline, Check, Metal, Stock};
+use wire4d_fabrication::{BendList, Centreline, Check, Metal, Stock};
 
 /// The verb and its flags.
 pub fn command() -> Command {
@@ -44,6 +46,7 @@ struct Report<'a> {
     stock: &'a Stock,
     said: &'a [String],
     check: &'a Check,
+    bends: &'a BendList,
 }
 
 /// Checks, and writes it all into a folder.
@@ -57,10 +60,14 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let check = Check::new(&made.wire, &line, &stock)?;
+    let bends = BendList::new(&line, metal);
     let said = check.sentences(&stock);
-    let report = Report { size_mm, stock: &stock, said: &said, check: &check };
+    let report = Report { size_mm, stock: &stock, said: &said, check: &check, bends: &bends };
     let json = serde_json::to_string_pretty(&report).expect("plain numbers and words");
     folder.write("build.json", json.as_bytes())?;
+    folder.write("bends.md", bends.table(&check, &stock).as_bytes())?;
+    folder.write("bends.csv", bends.csv().as_bytes())?;
+    folder.write("bends.dxf", &dxf::drawing(&bends))?;
     folder.finish()?;
     if !matches.get_flag("quiet") {
         eprintln!("{}", said.join("\n"));

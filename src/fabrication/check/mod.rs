@@ -13,6 +13,8 @@ const THROUGH: f64 = 0.9;
 const ENOUGH: f64 = 0.995;
 /// Pairs of steps that are so many steps apart, along both strands, are one meeting.
 const SAME_MEETING: usize = 6;
+/// Faults beyond these are counted, not listed.
+pub const MOST_LISTED: usize = 500;
 /// A picture's height in world units and pixels, as width settings count.
 const PX_PER_WORLD: f64 = 256.0 / 2.2;
 
@@ -57,7 +59,9 @@ pub struct Bends {
     pub tightest: Spot,
     /// What the metal bears, mm.
     pub needed_radius_mm: f64,
-    /// Stretches that are tighter.
+    /// How many stretches are tighter.
+    pub tight_count: usize,
+    /// Those stretches, the tightest first, [`MOST_LISTED`] at most.
     pub tight: Vec<TightBend>,
 }
 
@@ -81,7 +85,11 @@ pub struct Clearance {
     pub least_mm: Option<f64>,
     /// Both places there.
     pub nearest: Option<[Spot; 2]>,
-    /// Strands that overlap.
+    /// How many times strands overlap.
+    pub meeting_count: usize,
+    /// How many times one would have to pass through the other.
+    pub through_count: usize,
+    /// Where they overlap, the deepest first, [`MOST_LISTED`] at most.
     pub meetings: Vec<Meeting>,
 }
 
@@ -185,9 +193,18 @@ fn bends(line: &Centreline, needed: f64) -> Bends {
             tightest: spot(line, tightest),
         }
     });
-    let tight = tight.collect();
+    let mut tight: Vec<TightBend> = tight.collect();
+    let tight_count = tight.len();
+    tight.sort_by(|a, b| a.least_radius_mm.total_cmp(&b.least_radius_mm));
+    tight.truncate(MOST_LISTED);
     let tightest = tightest_of(0..count);
-    Bends { least_radius_mm: radii[tightest], tightest: spot(line, tightest), needed_radius_mm: needed, tight }
+    Bends {
+        least_radius_mm: radii[tightest],
+        tightest: spot(line, tightest),
+        needed_radius_mm: needed,
+        tight_count,
+        tight,
+    }
 }
 
 /// Stretches in which `is` holds.
@@ -210,23 +227,27 @@ fn clearance(line: &Centreline, needed: f64) -> Clearance {
     let deepest = close.iter().copied().min_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
     let nearest = deepest.or_else(|| nearest(line, apart));
     let spots = |pair: &Pair| [spot(line, pair.first), spot(line, pair.second)];
+    let met = meetings(close).into_iter().map(|met| {
+        let mm = |[from, to]: [usize; 2]| [from, to + 1].map(|i| i as f64 * line.step_mm());
+        let distance_mm = met.deepest.distance_mm;
+        Meeting {
+            stretch_mm: mm(met.first),
+            other_mm: mm(met.second),
+            distance_mm,
+            through: distance_mm < THROUGH * gauge,
+            nearest: spots(&met.deepest),
+        }
+    });
+    let mut meetings: Vec<Meeting> = met.collect();
+    let (meeting_count, through_count) = (meetings.len(), meetings.iter().filter(|met| met.through).count());
+    meetings.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
+    meetings.truncate(MOST_LISTED);
     Clearance {
         least_mm: nearest.map(|pair| pair.distance_mm - gauge),
         nearest: nearest.as_ref().map(spots),
-        meetings: meetings(close)
-            .into_iter()
-            .map(|met| {
-                let mm = |[from, to]: [usize; 2]| [from, to + 1].map(|i| i as f64 * line.step_mm());
-                let distance_mm = met.deepest.distance_mm;
-                Meeting {
-                    stretch_mm: mm(met.first),
-                    other_mm: mm(met.second),
-                    distance_mm,
-                    through: distance_mm < THROUGH * gauge,
-                    nearest: spots(&met.deepest),
-                }
-            })
-            .collect(),
+        meeting_count,
+        through_count,
+        meetings,
     }
 }
 
@@ -320,26 +341,25 @@ impl Check {
             1e-3 * piece,
             if joints == 0 { "no joint".into() } else { counted(joints, "joint") },
         ));
-        let Bends { least_radius_mm: least, tightest, needed_radius_mm: needed, tight } = &self.bends;
+        let Bends { least_radius_mm: least, tightest, needed_radius_mm: needed, tight_count, .. } = &self.bends;
         let tightest = tightest.at_mm;
-        said.push(if tight.is_empty() {
+        said.push(if *tight_count == 0 {
             format!("The tightest bend has a radius of {least:.1} mm; {name} bears {needed:.1} mm.")
         } else {
             format!(
                 "{} tighter than {name} bears ({needed:.1} mm): the tightest, {least:.1} mm, is {tightest:.0} mm from the start.",
-                is_are(tight.len(), "bend")
+                is_are(*tight_count, "bend")
             )
         });
-        let meetings = &self.clearance.meetings;
-        let through = meetings.iter().filter(|met| met.through).count();
-        if let Some(worst) = meetings.iter().min_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm)) {
+        let Clearance { least_mm, meeting_count, through_count, meetings, .. } = &self.clearance;
+        if let Some(worst) = meetings.first() {
             let [at, other] = worst.nearest.map(|spot| spot.at_mm);
             said.push(format!(
-                "The wire meets itself in {}, {through} of them so deeply that one strand would have to pass through the other; \
+                "The wire meets itself in {}, {through_count} of them so deeply that one strand would have to pass through the other; \
                  the deepest is where {at:.0} mm meets {other:.0} mm.",
-                counted(meetings.len(), "place")
+                counted(*meeting_count, "place")
             ));
-        } else if let Some(air) = self.clearance.least_mm {
+        } else if let Some(air) = least_mm {
             said.push(format!("Strands keep {air:.1} mm of air between them."));
         }
         if let Some(passing) = &self.passing {

@@ -1,10 +1,13 @@
 //! `wire4d build`.
 
 use crate::verbs::{json, program, refused, succeeds, text};
+use glam::{DQuat, DVec3};
 use serde_json::{Value, json as value};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
+use wire4d::sculpture::Sculpture;
+use wire4d_fabrication::Centreline;
 
 fn build(wire: &Path, out: &Path, flags: &[&str]) -> Output {
     program(&["build", text(wire), "--out", text(out)]).args(flags).output().unwrap()
@@ -113,4 +116,52 @@ fn what_cannot_be_built_is_said_in_a_line() {
     }
     refused(&build(&wire("bag"), &out, &[]), "loose curves");
     refused(&build(Path::new("nowhere.json"), &out, &[]), "nowhere.json");
+}
+
+/// Goes by the machine's rows alone, a little at a time.
+fn rebuilt(rows: &str, [start, direction, axis]: [DVec3; 3]) -> Vec<DVec3> {
+    let (mut place, mut direction, mut axis) = (start, direction, axis);
+    let mut places = vec![start];
+    for row in rows.lines().skip(1) {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let [feed, rotate, bend, radius, _] = cells[..] else { panic!("{row}") };
+        for _ in 0..16 {
+            place += direction * feed / 16.0;
+            places.push(place);
+        }
+        axis = (DQuat::from_axis_angle(direction, rotate.to_radians()) * axis).normalize();
+        let centre = place + radius * axis.cross(direction);
+        let part = DQuat::from_axis_angle(axis, bend.to_radians() / 64.0);
+        for _ in 0..64 {
+            place = centre + part * (place - centre);
+            direction = (part * direction).normalize();
+            places.push(place);
+        }
+    }
+    places
+}
+
+#[test]
+fn wires_rebuilt_from_their_lists_are_within_a_hundredth_of_their_size() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["smooth", "coil", "knot", "fitted", "chain", "kinked"] {
+        let out = folder.path().join(name);
+        let report = json(Path::new(&succeeds(&build(&wire(name), &out, &["--size-mm", "200"]))));
+        let bends = &report["bends"];
+        let frame = ["start", "direction", "axis"]
+            .map(|key| DVec3::from_array([0, 1, 2].map(|c| bends[key][c].as_f64().unwrap())));
+        let places = rebuilt(&fs::read_to_string(out.join("bends.csv")).unwrap(), frame);
+        let made = Sculpture::from_json(name, &fs::read(wire(name)).unwrap()).unwrap();
+        let line = Centreline::new(&made.wire, 200.0, 1.6).unwrap();
+        let off = |p: &DVec3, from: &[DVec3]| from.iter().map(|q| p.distance(*q)).fold(f64::INFINITY, f64::min);
+        let there = places.iter().step_by(7).map(|p| off(p, line.points())).fold(0.0, f64::max);
+        let back = line.points().iter().step_by(7).map(|p| off(p, &places)).fold(0.0, f64::max);
+        assert!(there < 2.0 && back < 2.0, "{name}: {there} and {back} mm of 200");
+        let text = fs::read_to_string(out.join("bends.md")).unwrap();
+        let rows = text.lines().filter(|line| line.starts_with("| ")).count() - 1;
+        let bends = bends["bends"].as_array().unwrap();
+        assert_eq!(rows, bends.len());
+        let dxf = fs::read_to_string(out.join("bends.dxf")).unwrap();
+        assert_eq!(dxf.matches("AcDbArc").count(), bends.iter().filter(|bend| bend["radius_mm"] != 0.0).count());
+    }
 }
