@@ -7,7 +7,7 @@ use crate::{args, wires};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use serde::Serialize;
 use wire4d::Result;
-use wire4d_fabrication::{BendList, Centreline, Check, Metal, Stock};
+use wire4d_fabrication::{BendList, Centreline, Check, Job, Metal, Paper, Step, Stock, steps};
 
 /// The verb and its flags.
 pub fn command() -> Command {
@@ -34,6 +34,14 @@ pub fn command() -> Command {
                 .help("What the wire is made of"),
         )
         .arg(millimetres("stock-mm", "5000", "How long a piece of wire is, as you buy it"))
+        .arg(
+            Arg::new("paper")
+                .long("paper")
+                .value_name("PAPER")
+                .value_parser(Paper::ALL.map(Paper::name))
+                .default_value(Paper::default().name())
+                .help("What is in the printer"),
+        )
         .arg(args::file("out", "Folder to make for what there is to know").long("out").required(true))
         .arg(args::overwrite())
         .arg(Arg::new("quiet").long("quiet").action(clap::ArgAction::SetTrue).help("Say nothing on the way"))
@@ -47,6 +55,7 @@ struct Report<'a> {
     said: &'a [String],
     check: &'a Check,
     bends: &'a BendList,
+    steps: &'a [Step],
 }
 
 /// Checks, and writes it all into a folder.
@@ -54,20 +63,27 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let number = |name: &str| *matches.get_one::<f64>(name).expect("it has a default");
     let metal = matches.get_one::<String>("metal").and_then(|name| Metal::named(name)).unwrap_or_default();
     let stock = Stock { metal, gauge_mm: number("wire-mm"), length_mm: number("stock-mm") };
+    let paper = matches.get_one::<String>("paper").and_then(|name| Paper::named(name)).unwrap_or_default();
     let size_mm = number("size-mm");
-    let made = wires::read_wire(args::path(matches, "wire"))?;
+    let file = args::path(matches, "wire");
+    let made = wires::read_wire(file)?;
+    let name = file.file_name().map_or("wire".into(), |name| name.to_string_lossy());
+    let name = name.trim_end_matches(".json").trim_end_matches(".wire");
     let line = Centreline::new(&made.wire, size_mm, stock.gauge_mm)?;
     let out = args::path(matches, "out");
     let folder = Folder::claim(out, matches.get_flag("overwrite"))?;
     let check = Check::new(&made.wire, &line, &stock)?;
     let bends = BendList::new(&line, metal);
+    let steps = steps(&line, &bends);
     let said = check.sentences(&stock);
-    let report = Report { size_mm, stock: &stock, said: &said, check: &check, bends: &bends };
+    let report = Report { size_mm, stock: &stock, said: &said, check: &check, bends: &bends, steps: &steps };
+    let job = Job { name, line: &line, stock: &stock, check: &check, bends: &bends, steps: &steps };
     let json = serde_json::to_string_pretty(&report).expect("plain numbers and words");
     folder.write("build.json", json.as_bytes())?;
     folder.write("bends.md", bends.table(&check, &stock).as_bytes())?;
     folder.write("bends.csv", bends.csv().as_bytes())?;
     folder.write("bends.dxf", &dxf::drawing(&bends))?;
+    folder.write("paper.pdf", &job.pdf(paper))?;
     folder.finish()?;
     if !matches.get_flag("quiet") {
         eprintln!("{}", said.join("\n"));

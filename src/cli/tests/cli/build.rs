@@ -125,8 +125,8 @@ fn rebuilt(rows: &str, [start, direction, axis]: [DVec3; 3]) -> Vec<DVec3> {
     for row in rows.lines().skip(1) {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
         let [feed, rotate, bend, radius, _] = cells[..] else { panic!("{row}") };
-        for _ in 0..16 {
-            place += direction * feed / 16.0;
+        for _ in 0..100 {
+            place += direction * feed / 100.0;
             places.push(place);
         }
         axis = (DQuat::from_axis_angle(direction, rotate.to_radians()) * axis).normalize();
