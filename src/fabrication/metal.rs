@@ -101,7 +101,7 @@ fn shape(n: f64) -> f64 {
         let (sin, cos) = (FRAC_PI_2 * i as f64 / STEPS as f64).sin_cos();
         sin.powf(n + 1.0) * cos * cos
     };
-    let weight = |i: usize| if i % STEPS == 0 { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
+    let weight = |i: usize| if i.is_multiple_of(STEPS) { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
     4.0 * FRAC_PI_2 / (3.0 * STEPS as f64) * (0..=STEPS).map(|i| weight(i) * at(i)).sum::<f64>()
 }
 
