@@ -34,4 +34,11 @@ impl Mesh {
             [std::array::from_fn(|c| low[c].min(p[c])), std::array::from_fn(|c| high[c].max(p[c]))]
         })
     }
+
+    /// The same, with its lowest point at height 0.
+    pub(crate) fn on_the_bed(mut self) -> Mesh {
+        let [low, _] = self.bounds();
+        self.positions.iter_mut().for_each(|p| p[2] -= low[2]);
+        self
+    }
 }

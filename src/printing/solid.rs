@@ -1,7 +1,9 @@
 //! The wire as one solid.
 
+use crate::body::Body;
 use crate::contour;
 use crate::mesh::Mesh;
+use crate::plate::Plate;
 use crate::strands::{Cone, Strands};
 use wire4d_core::{Error, Result};
 
@@ -14,7 +16,7 @@ const TRIANGLES_PER_CELL: f64 = 5.2;
 /// More than this no slicer opens with ease: a file of 150 MB.
 const MOST_TRIANGLES: f64 = 3e6;
 /// Facets cut across a round wire; wire thicker by this share of (cell / radius)² has a round one's volume. Found by fitting.
-const SAGGED: f64 = 0.06;
+const SAGGED: f64 = 0.039;
 
 /// A wire to print.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,12 +27,22 @@ pub struct Print {
     pub least_thickness_mm: f64,
 }
 
-/// The wire alone.
+/// The wire, on a plate if one is wanted.
 ///
 /// # Errors
-/// [`Error::Setting`] for a wire so long and thin that no slicer opens it.
-pub fn print(strands: &Strands) -> Result<Print> {
-    let mesh = contour::surface(&round(&strands.cones, cell_mm(strands)?), cell_mm(strands)?);
+/// [`Error::Setting`] for a wire so long and thin that no slicer opens it, and for a name that cannot be printed.
+pub fn print(strands: &Strands, plate: Option<&Plate>) -> Result<Print> {
+    let cell_mm = cell_mm(strands)?;
+    let mut cones = strands.cones.clone();
+    let posts = plate.map_or(Vec::new(), |plate| plate.posts(strands));
+    cones.extend(&posts);
+    // Before the longest part of the work.
+    let base = plate.map(|plate| plate.body(strands, &posts)).transpose()?;
+    let wire = contour::surface(&round(&cones, cell_mm), cell_mm);
+    let mesh = match base {
+        Some(base) => Body::union(vec![Body::of(&wire), base]).mesh().on_the_bed(),
+        None => wire.on_the_bed(),
+    };
     Ok(Print { mesh, least_thickness_mm: strands.least_thickness_mm() })
 }
 
