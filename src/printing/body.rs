@@ -80,7 +80,9 @@ pub fn rounded([low, high]: [DVec2; 2], radius: f64) -> Vec<DVec2> {
     let middle = 0.5 * (low + high);
     let each = corners.iter().enumerate().flat_map(|(quarter, &corner)| {
         let centre = corner - radius * (corner - middle).signum();
-        (0..=6).map(move |i| centre + radius * DVec2::from_angle((quarter as f64 + i as f64 / 6.0) * 0.5 * std::f64::consts::PI))
+        (0..=6).map(move |i| {
+            centre + radius * DVec2::from_angle((quarter as f64 + i as f64 / 6.0) * 0.5 * std::f64::consts::PI)
+        })
     });
     each.collect()
 }

@@ -33,9 +33,8 @@ pub fn surface(cones: &[Cone], cell_mm: f64) -> Mesh {
     for (&[x, y, z], block) in &blocks {
         let first = IVec3::new(x, y, z) * SIDE;
         let values = with_border(&blocks, [x, y, z]);
-        let distance = |place: DVec3| {
-            block.cones.iter().map(|&i| cones[i as usize].distance(place)).fold(f64::INFINITY, f64::min)
-        };
+        let distance =
+            |place: DVec3| block.cones.iter().map(|&i| cones[i as usize].distance(place)).fold(f64::INFINITY, f64::min);
         for cell in (0..SIDE * SIDE * SIDE).map(of_index) {
             let corner = |bits: u8| values[border_index(cell + offset(bits))];
             let inside = (0..8).filter(|&bits| corner(bits) < 0.0).count();

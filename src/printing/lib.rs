@@ -5,6 +5,7 @@
 
 mod body;
 mod contour;
+mod jig;
 mod letters;
 mod mesh;
 mod plate;
@@ -13,6 +14,7 @@ mod stl;
 mod strands;
 mod three_mf;
 
+pub use jig::{Jig, Printer, jig};
 pub use mesh::{Mesh, Part};
 pub use plate::Plate;
 pub use solid::{Print, print};

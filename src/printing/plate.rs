@@ -37,7 +37,8 @@ impl Plate {
         lows.sort_by(|a, b| a.0.z.total_cmp(&b.0.z));
         let mut chosen: Vec<(glam::DVec3, f64)> = Vec::new();
         for (end, radius) in lows {
-            let apart = chosen.iter().all(|(other, _)| (other - end).truncate().length() > APART * (high - low).max_element());
+            let apart =
+                chosen.iter().all(|(other, _)| (other - end).truncate().length() > APART * (high - low).max_element());
             let reached = end.z - low.z <= REACH * (high.z - low.z) || chosen.is_empty();
             if apart && reached && chosen.len() < MOST_POSTS {
                 chosen.push((end, radius));

@@ -54,7 +54,10 @@ pub(crate) fn cell_mm(strands: &Strands) -> Result<f64> {
         return Err(Error::setting(
             "--wire-mm",
             format!("a wire of that length {:.1} mm thick is more than a slicer can open", 2.0 * radius),
-            format!("give a smaller --size-mm or a wire of {:.1} mm", (2.0 * bearable / COARSE_SHARE * 10.0).ceil() / 10.0),
+            format!(
+                "give a smaller --size-mm or a wire of {:.1} mm",
+                (2.0 * bearable / COARSE_SHARE * 10.0).ceil() / 10.0
+            ),
         ));
     }
     Ok(bearable.max(FINE_SHARE * radius))

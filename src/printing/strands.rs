@@ -13,10 +13,11 @@ pub const MIN_GAUGE_MM: f64 = 0.4;
 /// Thicker wire is a rod; mm.
 pub const MAX_GAUGE_MM: f64 = 50.0;
 
-/// Samples a knot span before thinning.
-const SAMPLES_PER_SPAN: usize = 16;
+/// Samples before thinning, about, and how many a knot span has.
+const SAMPLES: usize = 8000;
+const SAMPLES_PER_SPAN: [usize; 2] = [8, 64];
 /// How far a chord may leave the curve, as a share of the wire's radius.
-const CHORD_SHARE: f64 = 0.02;
+pub(crate) const CHORD_SHARE: f64 = 0.015;
 
 /// How thick the wire is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,7 +92,9 @@ impl Strands {
         };
         check("--size-mm", size_mm, [MIN_SIZE_MM, MAX_SIZE_MM], "give the longest side as")?;
         check("--wire-mm", least_mm, [MIN_GAUGE_MM, MAX_GAUGE_MM], "a usual nozzle lays down 0.4 mm: give")?;
-        let (map, strokes) = wire.sampling_map::<f64>(SAMPLES_PER_SPAN, false);
+        let [fewest, most] = SAMPLES_PER_SPAN;
+        let (map, strokes) =
+            wire.sampling_map::<f64>((SAMPLES / wire.spans().count().max(1)).clamp(fewest, most), false);
         let mut samples = Vec::new();
         map.apply(wire.control_points(), &mut samples);
         // What is up in the world is up on the bed.
@@ -118,7 +121,9 @@ impl Strands {
                 balls.push(balls[0]);
             }
             cones.extend(
-                thinned(&balls).windows(2).map(|pair| Cone { ends: [pair[0].0, pair[1].0], radii: [pair[0].1, pair[1].1] }),
+                thinned(&balls)
+                    .windows(2)
+                    .map(|pair| Cone { ends: [pair[0].0, pair[1].0], radii: [pair[0].1, pair[1].1] }),
             );
         }
         let least_radius_mm = cones.iter().flat_map(|cone| cone.radii).fold(f64::INFINITY, f64::min);

@@ -1,8 +1,6 @@
 //! What is printed is one closed solid, of the volume that the wire's round cones have together.
 
-mod support;
-
-use support::{checked, in_capsules, random_wire};
+use crate::support::{checked, in_capsules, random_wire};
 use wire4d_core::rng::Rng;
 use wire4d_core::wire::Wire;
 use wire4d_printing::{Gauge, Plate, Strands, print};
@@ -28,7 +26,8 @@ fn strands_that_cross_are_joined_and_those_apart_are_not() {
         let points = (0..48).map(|i| f64::from(i) * std::f64::consts::TAU / 48.0);
         Wire::closed_uniform(points.map(|t| [t.cos(), 0.5 * (2.0 * t).sin(), lift * t.sin(), 0.02]).collect()).unwrap()
     };
-    let shape = |lift| checked(&print(&Strands::new(&eight(lift), 80.0, Gauge::Constant(2.0)).unwrap(), None).unwrap().mesh);
+    let shape =
+        |lift| checked(&print(&Strands::new(&eight(lift), 80.0, Gauge::Constant(2.0)).unwrap(), None).unwrap().mesh);
     // A ring has Euler characteristic 0; joined where it crosses it is an eight, with two holes.
     assert_eq!(shape(0.0).euler, -2);
     assert_eq!(shape(0.5).euler, 0);
@@ -36,7 +35,8 @@ fn strands_that_cross_are_joined_and_those_apart_are_not() {
 
 #[test]
 fn own_widths_are_kept_and_the_least_is_told() {
-    let points: Vec<[f64; 4]> = (0..12).map(|i| [0.15 * f64::from(i) - 0.8, 0.0, 0.0, 0.01 + 0.01 * f64::from(i)]).collect();
+    let points: Vec<[f64; 4]> =
+        (0..12).map(|i| [0.15 * f64::from(i) - 0.8, 0.0, 0.0, 0.01 + 0.01 * f64::from(i)]).collect();
     let strands = Strands::new(&Wire::open_uniform(points).unwrap(), 100.0, Gauge::Own { least_mm: 1.0 }).unwrap();
     let made = print(&strands, None).unwrap();
     assert_eq!(checked(&made.mesh).euler, 2);
