@@ -52,6 +52,7 @@ pub fn command() -> Command {
 struct Report<'a> {
     size_mm: f64,
     stock: &'a Stock,
+    metals_source: &'a str,
     said: &'a [String],
     check: &'a Check,
     bends: &'a BendList,
@@ -76,7 +77,15 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let bends = BendList::new(&line, metal);
     let steps = steps(&line, &bends);
     let said = check.sentences(&stock);
-    let report = Report { size_mm, stock: &stock, said: &said, check: &check, bends: &bends, steps: &steps };
+    let report = Report {
+        size_mm,
+        stock: &stock,
+        metals_source: Metal::SOURCE,
+        said: &said,
+        check: &check,
+        bends: &bends,
+        steps: &steps,
+    };
     let job = Job { name, line: &line, stock: &stock, check: &check, bends: &bends, steps: &steps };
     let json = serde_json::to_string_pretty(&report).expect("plain numbers and words");
     folder.write("build.json", json.as_bytes())?;
