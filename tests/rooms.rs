@@ -30,6 +30,7 @@ const ORDER: &[&str] = &[
     "model",
     "guidance",
     "photograph",
+    "fabrication",
     "printing",
 ];
 

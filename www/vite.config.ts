@@ -6,6 +6,7 @@ import { includes } from "./plugins/includes.ts";
 import { offline } from "./plugins/offline.ts";
 import { openGraph } from "./plugins/open-graph.ts";
 import { policies } from "./plugins/policies.ts";
+import { words } from "./plugins/words/index.ts";
 
 /** Each a page of its own. */
 const PAGES = ["index.html", "embed.html", "docs.html", "gallery.html", "teachers.html"];
@@ -27,9 +28,9 @@ const wireSculpture: Plugin = {
 
 /**
  * What every visit needs of state and of tasks is one script: in pieces it would be larger. Elements come by the columns
- * that they are in, and later comes what is only wanted later.
+ * that they are in, and later comes what is only wanted later. What is remembered comes before: the language is.
  */
-const isOfStudio = (id: string): boolean => /\/src\/(state|tasks)\/.*\.ts$/.test(id) && !/\/(parts|example|engine|teaching)\/|\/lesson\/(reading|lesson|asked)\.|\/(help|png16|rare)\./.test(id);
+const isOfStudio = (id: string): boolean => /\/src\/(state|tasks)\/.*\.ts$/.test(id) && !/\/(parts|example|engine|teaching)\/|\/lesson\/(reading|lesson|asked)\.|\/(help|png16|rare|remember)\./.test(id);
 
 /** A script that is left as it came ends in `.js`: not every host knows `.mjs` for a script. */
 const assetFileNames = ({ names }: { readonly names: readonly string[] }): string => `assets/[name]-[hash]${names[0]?.endsWith(".mjs") ? ".js" : "[extname]"}`;
@@ -37,7 +38,7 @@ const assetFileNames = ({ names }: { readonly names: readonly string[] }): strin
 // Relative URLs: the built page works from any host and any subpath.
 export default defineConfig({
   base: "./",
-  plugins: [includes, gallery, embedPage(), policies, openGraph(), wireSculpture, offline],
+  plugins: [words, includes, gallery, embedPage(), policies, openGraph(), wireSculpture, offline],
   worker: { format: "es", rolldownOptions: { output: { assetFileNames } } },
   server: { fs: { allow: [".."] } },
   build: {

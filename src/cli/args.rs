@@ -184,6 +184,7 @@ pub fn command() -> Command {
                         .help("What computes it"),
                 ),
         )
+        .subcommand(crate::build::command())
         .subcommand(crate::photograph::command())
         .subcommand(Command::new("device").about("What computes the fit, its limits and whether it checks out"))
 }
@@ -200,7 +201,7 @@ fn out_folder() -> Arg {
     file("out", "Folder to make for the wire, its pictures and the report").long("out").required(true)
 }
 
-fn overwrite() -> Arg {
+pub fn overwrite() -> Arg {
     Arg::new("overwrite")
         .long("overwrite")
         .action(ArgAction::SetTrue)

@@ -24,7 +24,7 @@ impl Folder {
             return Err(Error::input(name, "is a file, and a folder is needed", "give another --out"));
         }
         if let Ok(mut entries) = fs::read_dir(place) {
-            let ours = place.join("report.json").is_file();
+            let ours = ["report.json", "build.json"].iter().any(|report| place.join(report).is_file());
             if entries.next().is_some() && !(overwrite && ours) {
                 let remedy = if ours {
                     "give another --out, or --overwrite to replace the earlier run"

@@ -2,6 +2,7 @@
 //! 1 for anything else.
 
 mod args;
+mod build;
 mod fill;
 mod folder;
 mod guiding;
@@ -48,6 +49,7 @@ fn run(matches: &clap::ArgMatches) -> wire4d::Result<()> {
         Some(("export", matches)) => wires::export(matches),
         Some(("share", matches)) => wires::share(matches),
         Some(("open", matches)) => wires::open(matches),
+        Some(("build", matches)) => build::run(matches),
         Some(("photograph", matches)) => photograph::run(matches),
         Some(("raster", matches)) => raster::run(matches),
         Some(("device", matches)) => wires::device(matches),

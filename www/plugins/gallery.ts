@@ -16,7 +16,7 @@ export const gallery: Plugin = {
     handler: (html) =>
       html
         .replace("<!--works-->", () => cards(works(), "#"))
-        .replace("<!--kinds-->", () => Object.entries(KINDS).map(([task, kind]) => `<button type="button" data-task="${task}" aria-pressed="false">${kind}</button>`).join("")),
+        .replace("<!--kinds-->", () => Object.entries(KINDS).map(([task, kind]) => `<button type="button" data-task="${task}" aria-pressed="false" data-words>${kind}</button>`).join("")),
   },
   generateBundle() {
     const inputs = works().flatMap((work) => [...picturesOf(work), ...(meshOf(work) ? [meshOf(work)!] : [])]);

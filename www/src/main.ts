@@ -1,11 +1,14 @@
 import "./styles.css";
 import { startTheme } from "./ui/shared/theme";
+import { openWords } from "./words/open";
 
 startTheme();
+const words = openWords();
 // So the worker that keeps the page knows of which build this one is, as long as it is open.
 void navigator.locks?.request(`wire4d-page-${import.meta.url}`, { mode: "shared" }, () => new Promise(() => undefined));
 // One after the other: to run all scripts at once would keep a slow machine from answering.
 await import("lit");
+await words;
 const { Studio } = await import("./state/studio");
 const { before, TASKS } = await import("./tasks/registry");
 const { WireApp } = await import("./ui/app/wire-app");

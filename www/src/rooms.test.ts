@@ -19,6 +19,7 @@ const ROOMS: readonly string[] = [
   "film",
   "engine",
   "state/common",
+  "words",
   "state/picture",
   "state/keeping",
   "state/lesson",

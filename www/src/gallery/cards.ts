@@ -11,7 +11,7 @@ export const cards = (works: readonly Work[], base: string): string => `<ul clas
 function card({ name, task, title, sentence }: Work, base: string): string {
   const size = `width="${WIDTH}" height="${HEIGHT}"`;
   const poster = (dark: "" | "-dark"): string => `<img class="poster${dark}" src="./gallery/${name}${dark}.jpg" alt="" ${size} loading="lazy" decoding="async">`;
-  return `<li data-task="${task}"><a href="${base}${name}">${poster("")}${poster("-dark")}<span class="words"><b>${text(title)}</b> <i>${KINDS[task]}</i> <span>${text(sentence)}</span></span></a></li>`;
+  return `<li data-task="${task}"><a href="${base}${name}">${poster("")}${poster("-dark")}<span class="words"><b data-words>${text(title)}</b> <i data-words>${KINDS[task]}</i> <span data-words>${text(sentence)}</span></span></a></li>`;
 }
 
 export const text = (plain: string): string => plain.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);

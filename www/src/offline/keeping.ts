@@ -1,5 +1,7 @@
 /** Has the browser keep the page, and tells when a new version of it is ready. */
 
+import { msg } from "@lit/localize";
+
 /** What there is to tell. */
 export interface Hears {
   /** A new version waits; `load` shows it in place of this one. */
@@ -30,7 +32,7 @@ export async function keepOffline(hears: Hears): Promise<void> {
     watched.add(worker);
     worker.addEventListener("statechange", () => {
       if (worker.state === "installed" && !isFirst) hears.ready(load);
-      if (worker.state === "redundant" && !registration.active) hears.refused("This browser has no room to keep the page for use without a network. Everything works while there is one.");
+      if (worker.state === "redundant" && !registration.active) hears.refused(msg("This browser has no room to keep the page for use without a network. Everything works while there is one."));
     });
   };
   if (registration.waiting && !isFirst) hears.ready(load);

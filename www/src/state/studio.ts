@@ -1,5 +1,6 @@
 /** Puts together what there is behind the page: its parts, and the state that follows from them. */
 
+import { msg } from "@lit/localize";
 import type { WireShape } from "#sculpture/scene/shape";
 import { EngineClient } from "../engine/client";
 import type { Backend } from "../engine/protocol";
@@ -7,7 +8,7 @@ import type { Action, Parts } from "./actions/action";
 import { readRenderer } from "./address/renderer";
 import { isLocked } from "./common/locks";
 import { Store } from "./common/store";
-import { explain } from "./common/words";
+import { explain } from "../words/sentences";
 import type { Bench } from "./contract/bench";
 import { by, firstState, stateOf, wireFor, type BaseState, type StudioState, type StudioStore } from "./contract/state";
 import type { Taker, Task } from "./contract/task";
@@ -101,7 +102,7 @@ export class Studio implements Parts {
     if (!taught && !(await opening) && !namesBeside(hash)) await this.opener.example();
     await this.engine.call("settings", { tasks: this.tasks.map(({ name }) => name) }).then(
       (tables) => this.options.learn(tables),
-      (error: unknown) => this.warn(explain(error, "The engine")),
+      (error: unknown) => this.warn(explain(error, msg("The engine"))),
     );
     // With its settings, which are known only now.
     if (!taught) await this.receiver.beside(hash);
@@ -122,14 +123,14 @@ export class Studio implements Parts {
   takesFiles(): boolean {
     const state = this.store.get();
     const locked = isLocked(state, "files") || isLocked(state, "leave");
-    if (locked) this.warn("This page is locked for a lesson: files and links are not opened here.");
+    if (locked) this.warn(msg("This page is locked for a lesson: files and links are not opened here."));
     return !locked;
   }
 
   /** Lessons and what a link asks for a class, which come when an address first names them; true where that is all it asks. */
   private async teach(hash: string): Promise<boolean> {
     if (!this.lessons && !namesClass(hash)) return false;
-    const module = await import("./teaching/lessons").catch((error: unknown) => this.warn(explain(error, "The lesson")));
+    const module = await import("./teaching/lessons").catch((error: unknown) => this.warn(explain(error, msg("The lesson"))));
     if (!module) return false;
     const { bench, tasks, opener, receiver, runs } = this;
     this.lessons ??= new module.Lessons({

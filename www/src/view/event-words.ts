@@ -1,27 +1,29 @@
 /** What happened in a run, for people. */
 
+import { msg, str } from "@lit/localize";
 import type { RunEvent } from "../engine/protocol";
+import { counted } from "../words/numbers";
 
 export function eventWords({ kind, count }: RunEvent): string {
-  const points = count === 1 ? "1 point" : `${count} points`;
+  const points = counted(count, msg("1 point"), msg(str`${count} points`));
   switch (kind) {
     case "stage":
-      return count > 1 ? `Part ${count} begins` : "The fit begins";
+      return count > 1 ? msg(str`Part ${count} begins`) : msg("The fit begins");
     case "restart":
-      return "A fresh start at full stride";
+      return msg("A fresh start at full stride");
     case "reinit":
-      return `${points} that had vanished moved to where ink is lacking`;
+      return msg(str`${points} that had vanished moved to where ink is lacking`);
     case "refine":
-      return `${points} added where the pictures pull hardest`;
+      return msg(str`${points} added where the pictures pull hardest`);
     case "respace":
-      return `Laid anew at even steps: ${points}`;
+      return msg(str`Laid anew at even steps: ${points}`);
     case "thin":
-      return `${points} removed that the curve does not need`;
+      return msg(str`${points} removed that the curve does not need`);
     case "undone":
-      return "A step went wrong and was taken back; smaller steps from here";
+      return msg("A step went wrong and was taken back; smaller steps from here");
     case "done":
-      return "Done";
+      return msg("Done");
     case "unguided":
-      return "What guided the wire failed; it goes on without";
+      return msg("What guided the wire failed; it goes on without");
   }
 }

@@ -1,5 +1,6 @@
 /** Where one can look from, other than the views that a wire was made for. */
 
+import { msg, str } from "@lit/localize";
 import type { View } from "../engine/protocol";
 
 /** Degrees: to the right of the front, and above it. */
@@ -37,10 +38,16 @@ export function viewFrom({ azimuth, elevation }: Heading, name: string): View {
   };
 }
 
-/** "33,6", as the core calls a view that has no name, as "33° round, 6° up"; every other name as it is. */
+const NAMES: Readonly<Record<string, string>> = { front: msg("front"), side: msg("side"), top: msg("top"), right: msg("right"), left: msg("left"), back: msg("back") };
+
+/** "33,6", as the core calls a view that has no name, as "33° round, 6° up"; the core's names in the page's language, every other as it is. */
 export function viewWords(name: string): string {
+  if (Object.hasOwn(NAMES, name)) return NAMES[name]!;
   const found = /^(-?[\d.]+),(-?[\d.]+)$/.exec(name);
   if (!found) return name;
   const elevation = Number(found[2]);
-  return `${found[1]!}° round${elevation ? `, ${Math.abs(elevation)}° ${elevation > 0 ? "up" : "down"}` : ""}`;
+  const round = found[1]!;
+  if (!elevation) return msg(str`${round}° round`);
+  const steep = Math.abs(elevation);
+  return elevation > 0 ? msg(str`${round}° round, ${steep}° up`) : msg(str`${round}° round, ${steep}° down`);
 }

@@ -1,7 +1,8 @@
 /** How like the pictures a wire is, in numbers, and in the words that tasks share. */
 
+import { msg, str } from "@lit/localize";
 import type { ViewMeasures } from "../engine/protocol";
-import { percent } from "../state/common/words";
+import { counted, decimal, percent } from "../words/numbers";
 import type { Made } from "../state/keeping/document";
 
 const GOOD = 0.82;
@@ -47,8 +48,8 @@ export function flawOf(view: Compared, subject: string, missing: (share: string)
   const beside = 1 - (view.precision_2px ?? 1);
   if (lacking >= SEEN && lacking >= beside) return { kind: "missing", words: missing(percent(lacking)) };
   if (beside >= SEEN) return { kind: "stray", words: stray(percent(beside)) };
-  if (view.value < FAIR) return { kind: "unclear", words: `${subject} is hard to recognise (${percent(view.value)})` };
-  if (!isGood(view)) return { kind: "unclear", words: `${subject} matches fairly well (${percent(view.value)})` };
+  if (view.value < FAIR) return { kind: "unclear", words: msg(str`${subject} is hard to recognise (${percent(view.value)})`) };
+  if (!isGood(view)) return { kind: "unclear", words: msg(str`${subject} matches fairly well (${percent(view.value)})`) };
   return { kind: "none", words: "" };
 }
 
@@ -57,8 +58,8 @@ export function verdictOf({ finished }: Made, views: readonly Compared[], good: 
   const { components } = finished.measures;
   const apart = components > 1;
   const sentences = [
-    `${good}${flaw.words ? `; ${flaw.words}` : apart ? "" : ", in one piece of wire"}.`,
-    apart ? `The wire is in ${components} pieces.` : "",
+    flaw.words ? msg(str`${good}; ${flaw.words}.`) : apart ? msg(str`${good}.`) : msg(str`${good}, in one piece of wire.`),
+    apart ? msg(str`The wire is in ${components} pieces.`) : "",
     bending(views),
     advice,
   ];
@@ -68,11 +69,11 @@ export function verdictOf({ finished }: Made, views: readonly Compared[], good: 
 /** Of a wire without its pictures. */
 export function nothingToCompare({ finished, carried }: Made): string {
   const { components } = finished.measures;
-  const why = carried ? "It is compared with its drawings when it is made again" : "Its drawings are not with it, so there is nothing to compare";
-  return `${components === 1 ? "One piece of wire" : `${components} pieces of wire`}. ${why}.`;
+  const why = carried ? msg("It is compared with its drawings when it is made again.") : msg("Its drawings are not with it, so there is nothing to compare.");
+  return `${counted(components, msg("One piece of wire."), msg(str`${components} pieces of wire.`))} ${why}`;
 }
 
 function bending(views: readonly Compared[]): string {
   const mostPx = Math.max(...views.map(({ bent }) => bent?.mean_px ?? 0));
-  return mostPx > SEEN_PX ? `To agree, lines moved by ${mostPx.toFixed(1)} of 256 pixels.` : "";
+  return mostPx > SEEN_PX ? msg(str`To agree, lines moved by ${decimal(mostPx, 1)} of 256 pixels.`) : "";
 }

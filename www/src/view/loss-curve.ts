@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { css, html, nothing, svg } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { RunEvent } from "../engine/protocol";
@@ -68,7 +69,7 @@ export class LossCurve extends Part {
       svg`<line class=${name} x1=${x(iteration)} x2=${x(iteration)} y1="0" y2=${HEIGHT} />`;
     return html`
       <div class="row">
-        <span>Still off by</span>
+        <span>${msg("Still off by")}</span>
         <span class="value" data-loss=${last ? last[1] : ""}>${last ? last[1].toPrecision(2) : "–"}</span>
       </div>
       <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" aria-hidden="true">

@@ -1,8 +1,10 @@
+import { msg, str } from "@lit/localize";
 import { css, html, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Target, View } from "../engine/protocol";
-import { percent } from "../state/common/words";
+import { percent } from "../words/numbers";
+import { viewWords } from "./heading";
 import { Part } from "./part";
 import { SMALL_PX, SmallPictures, type SmallPicture } from "./small-pictures";
 import { smallStyle } from "./small-style";
@@ -49,9 +51,9 @@ export class MatchPanels extends Part {
       ({ name, share, asDrawn }) => html`<figure>
         <canvas width=${SMALL_PX} height=${SMALL_PX} role="img" aria-label=${inWords(name, share, asDrawn)}></canvas>
         <figcaption>
-          <span class="name">${name}</span>
+          <span class="name">${viewWords(name)}</span>
           <span class="match" data-view=${name}>${share === null ? "–" : percent(share)}</span>
-          <span class="drawn">${asDrawn === null ? "" : `${percent(asDrawn)} as drawn`}</span>
+          <span class="drawn">${asDrawn === null ? "" : msg(str`${percent(asDrawn)} as drawn`)}</span>
         </figcaption>
       </figure>`,
     );
@@ -85,6 +87,7 @@ export class MatchPanels extends Part {
 }
 
 function inWords(name: string, share: number | null, asDrawn: number | null): string {
-  const known = share === null ? "" : `; ${percent(share)} match`;
-  return `The wire seen from the ${name}, over its drawing${known}${asDrawn === null ? "" : `, ${percent(asDrawn)} with the drawing as it was before bending`}`;
+  const seen = msg(str`The wire seen from the ${viewWords(name)}, over its drawing`);
+  const known = share === null ? "" : msg(str`; ${percent(share)} match`);
+  return seen + known + (asDrawn === null ? "" : msg(str`, ${percent(asDrawn)} with the drawing as it was before bending`));
 }

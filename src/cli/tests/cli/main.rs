@@ -1,5 +1,6 @@
 //! The command line: its verbs, and the files that people have.
 
+mod build;
 mod field_meshes;
 mod field_pictures;
 mod guiding;

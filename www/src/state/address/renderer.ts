@@ -3,6 +3,7 @@
  * nowhere and goes into no link.
  */
 
+import { msg, str } from "@lit/localize";
 import type { Backend } from "../../engine/protocol";
 
 const KEY = "renderer";
@@ -22,8 +23,8 @@ export function readRenderer(search: string): Renderer {
   if (word === null) return { backend: null, problem: "" };
   if (Object.hasOwn(BACKENDS, word)) return { backend: BACKENDS[word]!, problem: "" };
   const short = word.length > MOST_LETTERS ? `${word.slice(0, MOST_LETTERS)}…` : word;
-  const known = Object.keys(BACKENDS).join(", ").replace(/, (?=\w+$)/, " or ");
-  return { backend: null, problem: `The address asks for the renderer “${short}”, which there is not: it may be ${known}. The setting decides instead.` };
+  const known = Object.keys(BACKENDS).join(", ").replace(/, (?=\w+$)/, msg(" or "));
+  return { backend: null, problem: msg(str`The address asks for the renderer “${short}”, which there is not: it may be ${known}. The setting decides instead.`) };
 }
 
 /** The word for it in an address. */

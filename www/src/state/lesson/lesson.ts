@@ -3,6 +3,7 @@
  * one file of steps does for all languages.
  */
 
+import { msg, str } from "@lit/localize";
 import { Fault, fields, list, name, number, oneOf, pairs, text, yes, type Reader } from "./reading";
 
 export const LESSON_VERSION = 1;
@@ -58,14 +59,14 @@ export type Texts = Readonly<Record<string, string>>;
 /** Throws a `Fault` that says what is wrong with it. */
 export function readLesson(value: unknown): Lesson {
   const version = (value as { readonly version?: unknown } | null)?.version;
-  if (typeof version === "number" && version > LESSON_VERSION) throw new Fault("This lesson was made for a newer Wire4D. Reload the page to get it, then open the lesson again.");
+  if (typeof version === "number" && version > LESSON_VERSION) throw new Fault(msg("This lesson was made for a newer Wire4D. Reload the page to get it, then open the lesson again."));
   const read = lesson(value, "lesson");
   const ids = read.steps.map(({ id }) => id);
   const twice = ids.find((id, i) => ids.indexOf(id) !== i);
-  if (twice !== undefined) throw new Fault(`Two steps of this lesson are called “${twice}”.`);
+  if (twice !== undefined) throw new Fault(msg(str`Two steps of this lesson are called “${twice}”.`));
   for (const { id, question, table } of read.steps) {
-    if (question && !question.choices.includes(question.right)) throw new Fault(`The right answer of step “${id}” is not among its choices.`);
-    if (table?.rows.some(({ values }) => values.length !== table.columns.length)) throw new Fault(`The table of step “${id}” has rows of other lengths than its heading.`);
+    if (question && !question.choices.includes(question.right)) throw new Fault(msg(str`The right answer of step “${id}” is not among its choices.`));
+    if (table?.rows.some(({ values }) => values.length !== table.columns.length)) throw new Fault(msg(str`The table of step “${id}” has rows of other lengths than its heading.`));
   }
   return read;
 }

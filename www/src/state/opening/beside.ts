@@ -1,5 +1,6 @@
 /** Works of the gallery, which lie beside the page: an address names their files, `#open=gallery/works/NAME.wire.json`. */
 
+import { msg, str } from "@lit/localize";
 import { Problem } from "../../engine/client";
 
 /** Nowhere else than in the gallery's folders. */
@@ -12,6 +13,6 @@ export function filesBeside(hash: string): Promise<File[]> {
 
 async function fetched(path: string): Promise<File> {
   const response = PATH.test(path) ? await fetch(`./${path}`).catch(() => null) : null;
-  if (!response?.ok) throw new Problem(`There is no work “${path.slice(0, 80)}” in the gallery. Choose one there.`);
+  if (!response?.ok) throw new Problem(msg(str`There is no work “${path.slice(0, 80)}” in the gallery. Choose one there.`));
   return new File([await response.blob()], path.slice(path.lastIndexOf("/") + 1));
 }

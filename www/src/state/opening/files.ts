@@ -1,5 +1,7 @@
 /** What a person drops, pastes or chooses, sorted by what can be done with it. */
 
+import { msg, str } from "@lit/localize";
+
 const MOST_WIRE_BYTES = 50_000_000;
 
 export interface Sorted {
@@ -29,13 +31,13 @@ export function sortFiles(files: readonly File[], folders: readonly string[], ro
   const meshes = rest.filter(isMesh);
   const pictures = rest.filter((file) => !isMesh(file));
   const notes: string[] = [];
-  if (folders.length) notes.push(`${folders[0]!} is a folder; open it and drop the pictures in it.`);
-  if (moving.length) notes.push(`${moving[0]!.name} is a film or sound; take a still picture of it.`);
+  if (folders.length) notes.push(msg(str`${folders[0]!} is a folder; open it and drop the pictures in it.`));
+  if (moving.length) notes.push(msg(str`${moving[0]!.name} is a film or sound; take a still picture of it.`));
   if (pictures.length > room) {
-    const taken = `${pictures.length} files`;
-    notes.push(room === 1 ? `One picture at a time: the first of ${taken} was taken.` : `There are three pads; the first ${room === 3 ? "three" : room} of ${taken} were taken.`);
+    const all = pictures.length;
+    notes.push(room === 1 ? msg(str`One picture at a time: the first of ${all} files was taken.`) : room === 3 ? msg(str`There are three pads; the first three of ${all} files were taken.`) : msg(str`There are three pads; the first ${room} of ${all} files were taken.`));
   }
-  if (meshes.length > 1) notes.push(`One mesh at a time: ${meshes[0]!.name} was taken.`);
-  if (wires.length > 1) notes.push(`One wire at a time: ${wires[0]!.name} was opened.`);
+  if (meshes.length > 1) notes.push(msg(str`One mesh at a time: ${meshes[0]!.name} was taken.`));
+  if (wires.length > 1) notes.push(msg(str`One wire at a time: ${wires[0]!.name} was opened.`));
   return { pictures: pictures.slice(0, room), wire: wires[0] ?? null, meshes: meshes.slice(0, 1), note: notes.join(" ") };
 }

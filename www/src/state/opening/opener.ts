@@ -1,11 +1,12 @@
 /** Wires from elsewhere: links, files, and the examples of a first visit. */
 
+import { msg, str } from "@lit/localize";
 import { openShareCode, ShareCodeError } from "#sculpture/share/code";
 import { Problem } from "../../engine/client";
 import type { ViewMeasures } from "../../engine/protocol";
 import { readFragment } from "../address/fragment";
 import { fragmentIn } from "../address/pasted";
-import { asSentence, DURING_A_RUN, explain, named } from "../common/words";
+import { asSentence, DURING_A_RUN, explain, named } from "../../words/sentences";
 import type { Bench } from "../contract/bench";
 import { whenIdle } from "../contract/state";
 import type { Taker, Task } from "../contract/task";
@@ -43,7 +44,7 @@ export class Opener {
     const { task, code, given, settings, newer } = readFragment(fragmentIn(hash) ?? hash, this.tasks);
     bench.warn("");
     if (newer) {
-      bench.warn("This link was made by a newer Wire4D. Reload the page to get it, then open the link again.");
+      bench.warn(msg("This link was made by a newer Wire4D. Reload the page to get it, then open the link again."));
       return false;
     }
     if (!task) return false;
@@ -79,7 +80,7 @@ export class Opener {
     if (busy || (code !== null && this.has(code, name))) return;
     if (given === null ? code === null : alike(address.write(given), address.write(before))) return;
     const change = withGiven(doc, name, given ?? this.task(name).blank);
-    if (code !== null) this.bench.edit("Open the link", change, "open a link");
+    if (code !== null) this.bench.edit(msg("Open the link"), change, "open a link");
     else project.replace(change);
   }
 
@@ -108,7 +109,7 @@ export class Opener {
       const task = this.tasks.find(({ name }) => name === of) ?? this.task(bench.doc.task);
       const given = packed && (await (await task.packing()).unpack(packed));
       if (bench.busy) return bench.warn(DURING_A_RUN);
-      const [label, kind] = [`Open ${file.name}`, `open ${performance.now()}`];
+      const [label, kind] = [msg(str`Open ${file.name}`), `open ${performance.now()}`];
       bench.store.batch(() => {
         this.choose(task.name);
         bench.store.set({ ahead: null });
@@ -142,7 +143,7 @@ export class Opener {
       this.taker(name).complete?.(given);
       await showing;
     } catch (error) {
-      this.bench.warn(explain(error, "The example"));
+      this.bench.warn(explain(error, msg("The example")));
     }
   }
 
@@ -197,7 +198,7 @@ export class Opener {
         const measures = from.source === "example" ? { ...finished.measures, views: from.measured } : finished.measures;
         // The code as it came: the same link again.
         const made: Made = { finished: { ...finished, code, measures }, source: from.source, track: null, stopped: false, seconds: 0 };
-        this.opened(made, task, "Open the link");
+        this.opened(made, task, msg("Open the link"));
       });
     } catch (error) {
       // It is on the stage all the same, until there is another.

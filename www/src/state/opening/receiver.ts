@@ -1,7 +1,8 @@
 /** What people drop, paste or follow: brought to whoever takes it. */
 
+import { msg, str } from "@lit/localize";
 import { fragmentIn } from "../address/pasted";
-import { DURING_A_RUN, explain } from "../common/words";
+import { DURING_A_RUN, explain } from "../../words/sentences";
 import type { Bench } from "../contract/bench";
 import type { Taker, Task } from "../contract/task";
 import { sortFiles } from "./files";
@@ -36,7 +37,7 @@ export class Receiver {
   /** Pictures and models that carry a wire, where there is nothing else: one wire at a time. */
   private async opens([first, ...more]: readonly File[]): Promise<boolean> {
     if (/\.json$/i.test(first!.name) || !(await this.opener.opens(first!, first!.name))) return false;
-    if (more.length) this.bench.warn(`One wire at a time: ${first!.name} was opened.`);
+    if (more.length) this.bench.warn(msg(str`One wire at a time: ${first!.name} was opened.`));
     return true;
   }
 
@@ -62,7 +63,7 @@ export class Receiver {
       const { filesBeside } = await import("./beside");
       for (const file of await filesBeside(hash)) await this.files([file]);
     } catch (error) {
-      this.bench.warn(explain(error, "The work"));
+      this.bench.warn(explain(error, msg("The work")));
     }
     return true;
   }

@@ -1,5 +1,6 @@
 /** A file turned into pixels, within bounds: what is too large is refused before it is decoded, or scaled down. */
 
+import { msg, str } from "@lit/localize";
 import { Problem } from "../../engine/client";
 import type { Picture, Pixels } from "../../engine/protocol";
 import { pictureSize } from "./picture-size";
@@ -33,16 +34,16 @@ export interface ReadPicture extends Pixels {
  * @throws Problem with a sentence that names the file.
  */
 export async function readPicture(file: Blob, name: string, depths = false): Promise<ReadPicture> {
-  if (file.size === 0) throw new Problem(`${name} is empty. Choose another picture.`);
+  if (file.size === 0) throw new Problem(msg(str`${name} is empty. Choose another picture.`));
   if (file.size > MAX_FILE_BYTES) {
-    throw new Problem(`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a picture of at most 60 MB.`);
+    throw new Problem(msg(str`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a picture of at most 60 MB.`));
   }
   const head = new Uint8Array(await file.slice(0, 65_536).arrayBuffer());
   const size = pictureSize(head);
   const pixels = size ? size.width * size.height : 0;
   if (size && pixels > MAX_DECODED_PX) {
     const [width, height] = [size.width, size.height].map((side) => side.toLocaleString("en"));
-    throw new Problem(`${name} is ${width} × ${height} pixels, too many to open here. Make it 4,000 × 4,000 at most.`);
+    throw new Problem(msg(str`${name} is ${width} × ${height} pixels, too many to open here. Make it 4,000 × 4,000 at most.`));
   }
   const { bitmap, measured } = await decoded(file, name, { depths, isFine: !!size && head[1] === 0x50 && head[24] === 16, isHuge: pixels > MAX_WHOLE_PX });
   try {
@@ -53,7 +54,7 @@ export async function readPicture(file: Blob, name: string, depths = false): Pro
     context.imageSmoothingQuality = "high";
     context.drawImage(bitmap, 0, 0, width, height);
     const from = size && pixels > MAX_WHOLE_PX ? size : bitmap;
-    const note = shrink < 1 ? `Scaled down from ${from.width} × ${from.height} pixels.` : "";
+    const note = shrink < 1 ? msg(str`Scaled down from ${from.width} × ${from.height} pixels.`) : "";
     const { data } = context.getImageData(0, 0, width, height);
     return { width, height, rgba: data as Pixels["rgba"], note, ...(measured && { measured }) };
   } finally {

@@ -1,15 +1,16 @@
 /** Pictures that a browser does not decode by itself: SVG, JPEG without an end marker; and what to say about others. */
 
+import { msg, str } from "@lit/localize";
 import { Problem } from "../../engine/client";
 
 /** Files that people take for pictures, by what their first bytes say, and what to do with them. */
 const FOREIGN: readonly (readonly [signature: RegExp, words: string])[] = [
-  [/^....ftyp(hei|hev|mif1|msf1)/s, "is a HEIC photo, which this browser cannot read. Share or export it as a JPEG"],
-  [/^....ftypavi/s, "is an AVIF picture, which this browser cannot read. Save it as a PNG"],
-  [/^(II\*\0|MM\0\*)/, "is a TIFF picture, which this browser cannot read. Save it as a PNG"],
-  [/^%PDF/, "is a PDF, not a picture. Export its page as an SVG or PNG"],
-  [/^8BPS/, "is a Photoshop file. Save it as a PNG"],
-  [/^PK/, "is an archive, not a picture. Unpack it, or export the drawing as a PNG"],
+  [/^....ftyp(hei|hev|mif1|msf1)/s, msg("is a HEIC photo, which this browser cannot read. Share or export it as a JPEG")],
+  [/^....ftypavi/s, msg("is an AVIF picture, which this browser cannot read. Save it as a PNG")],
+  [/^(II\*\0|MM\0\*)/, msg("is a TIFF picture, which this browser cannot read. Save it as a PNG")],
+  [/^%PDF/, msg("is a PDF, not a picture. Export its page as an SVG or PNG")],
+  [/^8BPS/, msg("is a Photoshop file. Save it as a PNG")],
+  [/^PK/, msg("is an archive, not a picture. Unpack it, or export the drawing as a PNG")],
 ];
 /** Longer side of an SVG that is drawn, px. */
 const DRAWN_PX = 1024;
@@ -22,11 +23,11 @@ export async function rarePicture(file: Blob, name: string): Promise<ImageBitmap
   if (/^\s*<|^\u00ef\u00bb\u00bf/.test(head) && head.includes("<svg")) {
     const drawn = await drawnSvg(new Blob([file], { type: "image/svg+xml" }));
     if (drawn) return drawn;
-    throw new Problem(`${name} is an SVG that this browser cannot draw. Save it as a PNG.`);
+    throw new Problem(msg(str`${name} is an SVG that this browser cannot draw. Save it as a PNG.`));
   }
   const photo = head.startsWith("\u00ff\u00d8") && (await unendedJpeg(file));
   if (photo) return photo;
-  throw new Problem(`${name} is not a picture this browser can read. Choose a PNG, JPEG, WebP, GIF, BMP, AVIF or SVG file.`);
+  throw new Problem(msg(str`${name} is not a picture this browser can read. Choose a PNG, JPEG, WebP, GIF, BMP, AVIF or SVG file.`));
 }
 
 async function drawnSvg(file: Blob): Promise<ImageBitmap | null> {

@@ -1,7 +1,8 @@
 /** Where runs are computed: what is asked for, what the core makes of it, and what becomes of that on the way. */
 
+import { msg } from "@lit/localize";
 import type { Backend, Place } from "../../engine/protocol";
-import { asSentence, explain } from "../common/words";
+import { asSentence, explain } from "../../words/sentences";
 import { ANYWHERE, type Whereabouts } from "../contract/state";
 
 export class Placer {
@@ -74,7 +75,7 @@ export class Placer {
     } catch (error) {
       // What else fails is told where it is in the way.
       if (asked !== "gpu") return { place: null, refusal: "" };
-      return { ...(await this.find("cpu")), refusal: explain(error, "The graphics card") };
+      return { ...(await this.find("cpu")), refusal: explain(error, msg("The graphics card")) };
     }
   }
 
@@ -84,4 +85,4 @@ export class Placer {
   }
 }
 
-export const INSTEAD = "The processor is used instead.";
+export const INSTEAD = msg("The processor is used instead.");

@@ -1,9 +1,11 @@
 /** One run at a time: what the worker tells of it becomes a track, progress, and wires to look at. */
 
+import { msg } from "@lit/localize";
 import { Cancelled, type EngineClient } from "../../engine/client";
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Finished, Frame, News, Place, Snapshot } from "../../engine/protocol";
-import { asSentence } from "../common/words";
+import { asSentence } from "../../words/sentences";
+import { told } from "../../words/told";
 import { READY, type RunState } from "../contract/state";
 import type { Task } from "../contract/task";
 import { withEvent, withFrame, withSnapshot, type Track } from "../keeping/track";
@@ -42,7 +44,7 @@ export class Runner {
    */
   async run(task: Pick<Task, "words" | "work">, track: Track, backend: Promise<Backend>): Promise<Finished | null> {
     const from = track.snapshots.at(-1)?.checkpoint ?? null;
-    const words = from ? "Picking up the wire" : task.words.looking;
+    const words = from ? msg("Picking up the wire") : task.words.looking;
     this.newest = null;
     this.untold = [];
     let off = false;
@@ -125,7 +127,7 @@ export class Runner {
     if (phase === "idle" || !track) return;
     switch (news.news) {
       case "progress":
-        this.hooks.set({ progress: { ...progress, words: news.words, share: news.share, secondsLeft: null } });
+        this.hooks.set({ progress: { ...progress, words: told(news.words), share: news.share, secondsLeft: null } });
         break;
       case "note":
         this.hooks.set({ notes: [...notes, asSentence(news.words)] });
@@ -167,7 +169,7 @@ export class Runner {
     this.hooks.set({
       track: told.reduce(withFrame, track),
       progress: {
-        words: "Bending the wire into shape",
+        words: msg("Bending the wire into shape"),
         share: iteration / Math.max(1, iterations),
         secondsLeft: iterationsPerSecond > 0 ? Math.ceil((iterations - iteration) / iterationsPerSecond) : null,
         iteration,

@@ -1,8 +1,9 @@
 /** Runs from their beginning to the wire they come to. */
 
+import { msg, str } from "@lit/localize";
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Backend, Finished } from "../../engine/protocol";
-import { explain } from "../common/words";
+import { explain } from "../../words/sentences";
 import type { Bench } from "../contract/bench";
 import { whenIdle } from "../contract/state";
 import type { Task } from "../contract/task";
@@ -130,7 +131,7 @@ export class Runs {
     const { task, given } = track;
     if (bench.doc.task !== task) bench.project.replace({ task });
     // What lies beside a wire may be of something else than that.
-    if (!track.loose && bench.doc.given[task] !== given) bench.edit(`Bring back the ${this.task(task).words.given} of the run`, withGiven(bench.doc, task, given));
+    if (!track.loose && bench.doc.given[task] !== given) bench.edit(msg(str`Bring back the ${this.task(task).words.given} of the run`), withGiven(bench.doc, task, given));
     // What it is compared with decides about what lies beside it.
     await this.fit(track.loose ? track : { ...track, settings: deskOf(bench.doc, task).settings, guide: deskOf(bench.doc, task).guide });
   }
@@ -155,7 +156,7 @@ export class Runs {
     } catch (error) {
       failed = true;
       this.runner.rest();
-      this.bench.warn(explain(error, "The run"));
+      this.bench.warn(explain(error, msg("The run")));
       const went = store.get().run.track;
       if (went && went.snapshots.length > 0) return this.offer(went);
     } finally {
@@ -170,7 +171,7 @@ export class Runs {
     const stopped = !track.events.some(({ kind }) => kind === "done");
     const made: Made = { finished, source: "run", track, stopped, seconds };
     const { doc } = this.bench;
-    if (track.loose) this.bench.edit(variantOf(track) === "loose" ? "Compare with loose strokes" : "Lay another wire beside it", withDesk(doc, track.task, { loose: made }));
-    else this.bench.edit("Make the wire", withDesk(doc, track.task, { made, loose: null }));
+    if (track.loose) this.bench.edit(variantOf(track) === "loose" ? msg("Compare with loose strokes") : msg("Lay another wire beside it"), withDesk(doc, track.task, { loose: made }));
+    else this.bench.edit(msg("Make the wire"), withDesk(doc, track.task, { made, loose: null }));
   }
 }

@@ -1,10 +1,11 @@
 /** The wire taken along: as a file, as a link, in the address. */
 
+import { msg } from "@lit/localize";
 import type { ExportFormat } from "../../engine/protocol";
 import { addressed } from "../address/address";
 import { writeFragment } from "../address/fragment";
 import { forOthers } from "../address/renderer";
-import { explain } from "../common/words";
+import { explain } from "../../words/sentences";
 import type { Bench } from "../contract/bench";
 import { showsExample } from "../contract/state";
 import type { Taker, Task } from "../contract/task";
@@ -37,7 +38,7 @@ export class Saver {
       const bytes = await (seen ?? this.bench.engine.call("export", how));
       return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: MIME[format] });
     } catch (error) {
-      this.bench.warn(explain(error, "The file"));
+      this.bench.warn(explain(error, msg("The file")));
       return null;
     }
   }

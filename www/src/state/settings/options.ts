@@ -1,5 +1,6 @@
 /** The settings of the task that is looked at: what they are, and how they change. */
 
+import { msg, str } from "@lit/localize";
 import { ICONS, USUAL_WEIGHT, type Guide, type SettingsTables, type SettingValues } from "../../engine/protocol";
 import { isSettingLocked } from "../common/locks";
 import { readGuide } from "./guide-pairs";
@@ -32,7 +33,7 @@ export class Options implements Settings {
   }
 
   set(name: string, value: string): void {
-    this.setAll({ [name]: value }, `Set ${name.replaceAll("_", " ")}`, `set ${name}`);
+    this.setAll({ [name]: value }, msg(str`Set ${name.replaceAll("_", " ")}`), `set ${name}`);
   }
 
   /** Several at once, as one step. */
@@ -49,7 +50,7 @@ export class Options implements Settings {
     const { doc } = this.bench;
     const guide: Guide = { words: {}, weight: USUAL_WEIGHT, by: ICONS, ...deskOf(doc).guide, ...change };
     const isSaid = guide.by !== ICONS || guide.weight !== USUAL_WEIGHT || guide.likePicture || Object.values(guide.words).some(Boolean);
-    this.bench.edit(isSaid ? "Guide by words" : "Guide by pictures alone", withDesk(doc, doc.task, { guide: isSaid ? guide : null }), "guide");
+    this.bench.edit(isSaid ? msg("Guide by words") : msg("Guide by pictures alone"), withDesk(doc, doc.task, { guide: isSaid ? guide : null }), "guide");
   }
 
   /** A word for a view; empty for none. */
@@ -58,7 +59,7 @@ export class Options implements Settings {
   }
 
   reset(): void {
-    this.put("Reset the settings", Object.fromEntries(Object.entries(this.all).filter(([name]) => this.isLocked(name))));
+    this.put(msg("Reset the settings"), Object.fromEntries(Object.entries(this.all).filter(([name]) => this.isLocked(name))));
   }
 
   /** What an address asks for, once the core has told what there is. */

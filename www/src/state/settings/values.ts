@@ -1,5 +1,6 @@
 /** Values of settings: which a table allows, and which it takes where nobody has chosen. */
 
+import { msg, str } from "@lit/localize";
 import type { SettingsTable, SettingValues } from "../../engine/protocol";
 
 /** The settings that the table knows with values it allows, less those that are as their preset has them. */
@@ -26,17 +27,17 @@ export function presetOf(settings: SettingValues, table: SettingsTable): Setting
 /** Why a setting cannot have a value, in words for people; null if it can. */
 export function problemWith(name: string, value: string, table: SettingsTable): string | null {
   const row = table.rows.find((row) => row.name === name);
-  if (!row) return "there is no such setting";
+  if (!row) return msg("there is no such setting");
   switch (row.kind) {
     case "choice":
-      return row.choices!.includes(value) ? null : `choose ${row.choices!.join(", ")}`;
+      return row.choices!.includes(value) ? null : msg(str`choose ${row.choices!.join(", ")}`);
     case "switch":
-      return value === "true" || value === "false" ? null : "choose on or off";
+      return value === "true" || value === "false" ? null : msg("choose on or off");
     default: {
       const number = value.trim() === "" ? NaN : Number(value);
       const whole = row.kind === "integer";
       const fits = number >= row.min! && number <= row.max! && (!whole || Number.isInteger(number));
-      return fits ? null : `give a ${whole ? "whole " : ""}number from ${row.min} to ${row.max}`;
+      return fits ? null : whole ? msg(str`give a whole number from ${row.min} to ${row.max}`) : msg(str`give a number from ${row.min} to ${row.max}`);
     }
   }
 }

@@ -1,8 +1,9 @@
 /** Lessons: one is opened over the person's own project, which waits, and each step sets the page for itself. */
 
+import { msg, str } from "@lit/localize";
 import { remember, remembered } from "../common/remember";
 import { joined, NO_LOCKS, PARTS, isLocked } from "../common/locks";
-import { DURING_A_RUN, explain } from "../common/words";
+import { DURING_A_RUN, explain } from "../../words/sentences";
 import { Problem } from "../../engine/client";
 import type { SettingValues } from "../../engine/protocol";
 import { readFragment } from "../address/fragment";
@@ -32,7 +33,7 @@ export interface Classroom {
 }
 
 const NOTHING_ASKED: Asked = { lesson: null, step: null, kiosk: false, ...NO_LOCKS };
-const STAYS = "This page is locked for a lesson. To leave it, ask your teacher.";
+const STAYS = msg("This page is locked for a lesson. To leave it, ask your teacher.");
 
 export class Lessons {
   private asked: Asked = NOTHING_ASKED;
@@ -62,7 +63,7 @@ export class Lessons {
       await this.leave();
       this.asked = asked;
       bench.store.set({ locks: joined(asked) });
-      if (asked.kiosk) notify("A stand needs a lesson: choose one in “For my class”. The page works as usual.");
+      if (asked.kiosk) notify(msg("A stand needs a lesson: choose one in “For my class”. The page works as usual."));
       return false;
     }
     if (bench.busy && lesson === null) {
@@ -74,7 +75,7 @@ export class Lessons {
       await this.begin(lesson, asked, hash);
       return true;
     } catch (error) {
-      bench.warn(error instanceof Fault ? error.message : explain(error, "The lesson"));
+      bench.warn(error instanceof Fault ? error.message : explain(error, msg("The lesson")));
       return false;
     }
   }
@@ -114,16 +115,6 @@ export class Lessons {
     this.turn({ ...lesson, at: 0, answers: {} });
   }
 
-  /** The texts in another language. */
-  async speak(language: string): Promise<void> {
-    const { store } = this.room.bench;
-    const id = store.get().lesson?.lesson.id;
-    if (id === undefined) return;
-    const texts = await textsOf(id, language);
-    const { lesson } = store.get();
-    if (lesson?.lesson.id === id) store.set({ lesson: { ...lesson, texts } });
-  }
-
   /** The person's own project is back as it was. */
   async leave(): Promise<void> {
     const { bench, opener } = this.room;
@@ -154,21 +145,21 @@ export class Lessons {
     for (const name of new Set([...this.asked.lock, ...this.asked.hide])) {
       if (PARTS.some((part) => part === name) || rows(doc.task).includes(name)) continue;
       const elsewhere = Object.keys(tables).some((task) => rows(task).includes(name));
-      notify(elsewhere ? `The link locks or hides “${name}”, which this job does not have. It changes nothing here.` : `The link locks or hides “${name.slice(0, 40)}”, which is not known here. It was left out.`);
+      notify(elsewhere ? msg(str`The link locks or hides “${name}”, which this job does not have. It changes nothing here.`) : msg(str`The link locks or hides “${name.slice(0, 40)}”, which is not known here. It was left out.`));
     }
   }
 
   private async begin(lesson: Lesson, asked: Asked, hash: string): Promise<void> {
     const { bench, tasks, notify } = this.room;
     const task = tasks.find(({ name }) => name === lesson.job);
-    if (!task) throw new Fault("This lesson is about something that this Wire4D cannot make. Reload the page to get a newer one.");
+    if (!task) throw new Fault(msg("This lesson is about something that this Wire4D cannot make. Reload the page to get a newer one."));
     const texts = await textsOf(lesson.id, document.documentElement.lang);
     const fragment = readFragment(hash, tasks);
     const { lesson: _lesson, step: _step, lock: _lock, hide: _hide, kiosk: _kiosk, ...settings } = fragment.settings;
     const otherJob = /[#&]job=/.test(hash) && fragment.task !== lesson.job;
-    if (fragment.newer) notify("This link was made by a newer Wire4D. Reload the page if something seems to be missing.");
-    if (otherJob) notify("The link asks for another job than its lesson is about. The lesson goes before, with its own settings.");
-    if (fragment.code !== null) notify("The link asks for a lesson and for a wire. The lesson is shown; open the wire by a link of its own.");
+    if (fragment.newer) notify(msg("This link was made by a newer Wire4D. Reload the page if something seems to be missing."));
+    if (otherJob) notify(msg("The link asks for another job than its lesson is about. The lesson goes before, with its own settings."));
+    if (fragment.code !== null) notify(msg("The link asks for a lesson and for a wire. The lesson is shown; open the wire by a link of its own."));
     await this.setting;
     this.asked = asked;
     this.settings = otherJob ? {} : settings;
@@ -185,7 +176,7 @@ export class Lessons {
   /** The index of a step as people count. */
   private indexOf(step: number, { steps }: Lesson): number {
     if (Number.isInteger(step) && step >= 1 && step <= steps.length) return step - 1;
-    this.room.notify(`This lesson has ${steps.length} steps, and the link asks for another one. It begins with the first.`);
+    this.room.notify(msg(str`This lesson has ${steps.length} steps, and the link asks for another one. It begins with the first.`));
     return 0;
   }
 
@@ -198,7 +189,7 @@ export class Lessons {
       store.set({ locks: joined(this.asked, lesson.lesson, step), tool: step.tool ?? null });
     });
     this.show();
-    this.setting = this.setting.then(() => this.set()).catch((error: unknown) => this.room.bench.warn(explain(error, "This step")));
+    this.setting = this.setting.then(() => this.set()).catch((error: unknown) => this.room.bench.warn(explain(error, msg("This step"))));
   }
 
   private put(lesson: LessonState): void {
@@ -293,6 +284,6 @@ async function fetchedFile(id: string, name: string): Promise<File> {
   if (name.includes("/")) return (await (await import("../opening/beside")).filesBeside(`#open=${name}`))[0]!;
   const address = await addressOfFile(id, name);
   const response = address === null ? null : await fetch(address).catch(() => null);
-  if (!response?.ok) throw new Problem(`A file of this lesson, ${name}, cannot be had. Check the connection, then start the step again.`);
+  if (!response?.ok) throw new Problem(msg(str`A file of this lesson, ${name}, cannot be had. Check the connection, then start the step again.`));
   return new File([await response.blob()], name);
 }

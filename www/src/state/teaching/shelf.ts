@@ -1,5 +1,6 @@
 /** The lessons that come with the page, `www/lessons/ID/`: each file is fetched when it is wanted. */
 
+import { msg, str } from "@lit/localize";
 import { readLesson, type Lesson, type Texts } from "../lesson/lesson";
 import { Fault } from "../lesson/reading";
 
@@ -26,7 +27,7 @@ function place(id: string): number {
 /** Throws a `Fault` where there is none, or it cannot be read. */
 export async function lessonCalled(id: string): Promise<Lesson> {
   const load = found(LESSONS, id, "lesson.json");
-  if (!load) throw new Fault(`There is no lesson “${id.slice(0, 40)}”. The page for teachers lists those that there are.`);
+  if (!load) throw new Fault(msg(str`There is no lesson “${id.slice(0, 40)}”. The page for teachers lists those that there are.`));
   return readLesson(await load());
 }
 

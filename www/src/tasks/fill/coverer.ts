@@ -3,10 +3,11 @@
  * wants any more is ended on the spot, since the worker cannot hear while it makes one.
  */
 
+import { msg } from "@lit/localize";
 import { Cancelled } from "../../engine/client";
 import type { SettingValues } from "../../engine/protocol";
 import type { WireShape } from "#sculpture/scene/shape";
-import { explain } from "../../state/common/words";
+import { explain } from "../../words/sentences";
 import { meshKey, workOf, type Cover } from "./given";
 import type { FillWork, FoundSurface, Mesh } from "./protocol";
 
@@ -124,7 +125,7 @@ export class Coverer {
       // Not asked again until something changes.
       this.known = { mesh, curve: wish.curve ?? "" };
       this.surfaceKnown = true;
-      this.show({ coverProblem: explain(error, "The lines over the shape") });
+      this.show({ coverProblem: explain(error, msg("The lines over the shape")) });
     } finally {
       if (this.making) this.show({ covering: null });
       this.making = "";

@@ -1,5 +1,6 @@
 /** How a shape and its style go along in files, by name or as a picture, and come back from them. A mesh is too large. */
 
+import { msg } from "@lit/localize";
 import { darkness, pictureOf } from "../../state/carrying/picture";
 import type { Packing } from "../../state/contract/task";
 import { pixelsOf } from "../../state/picture/picture";
@@ -17,6 +18,6 @@ export const packing: Packing<Cover | null> = {
   async unpack({ drawings, pairs }) {
     const cover = address.read(pairs);
     const drawn = drawings.find(({ view }) => view === STYLE);
-    return cover && drawn ? { ...cover, style: { ...pictureOf(drawn, drawn.label || "Picture"), key: crypto.randomUUID() } } : cover;
+    return cover && drawn ? { ...cover, style: { ...pictureOf(drawn, drawn.label || msg("Picture")), key: crypto.randomUUID() } } : cover;
   },
 };

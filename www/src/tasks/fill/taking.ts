@@ -1,8 +1,9 @@
 /** What people do with the mesh that a wire is to cover, and with the style of that wire. */
 
+import { msg, str } from "@lit/localize";
 import { Problem } from "../../engine/client";
 import type { ExportArguments, Ink } from "../../engine/protocol";
-import { DURING_A_RUN, explain } from "../../state/common/words";
+import { DURING_A_RUN, explain } from "../../words/sentences";
 import type { Bench } from "../../state/contract/bench";
 import { givenFor, QUIET, type PadState, type TaskState } from "../../state/contract/state";
 import type { Files, Taker } from "../../state/contract/task";
@@ -51,8 +52,8 @@ export class CoverTaker implements Taker<Cover | null> {
   }
 
   async take({ pictures, meshes }: Files): Promise<void> {
-    for (const file of meshes) await this.open(file, file.name || "the mesh");
-    for (const file of pictures) await this.picture(file, file.name || "the picture");
+    for (const file of meshes) await this.open(file, file.name || msg("the mesh"));
+    for (const file of pictures) await this.picture(file, file.name || msg("the picture"));
   }
 
   awaits(): void {
@@ -90,9 +91,9 @@ export class CoverTaker implements Taker<Cover | null> {
   async open(file: Blob, name: string): Promise<void> {
     await this.attempt("mesh", name, async () => {
       if (await this.bench.opens(file, name)) return { take: () => undefined };
-      if (file.size === 0) throw new Problem(`${name} is empty. Choose another mesh.`);
+      if (file.size === 0) throw new Problem(msg(str`${name} is empty. Choose another mesh.`));
       if (file.size > MOST_FILE_BYTES) {
-        throw new Problem(`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a mesh of at most ${MOST_FILE_BYTES / 1e6} MB, or thin it out first.`);
+        throw new Problem(msg(str`${name} is ${Math.round(file.size / 1e6)} MB large. Choose a mesh of at most ${MOST_FILE_BYTES / 1e6} MB, or thin it out first.`));
       }
       // The bytes as they are now: what is on the disc may be written anew by the program it comes from.
       const mesh = { key: crypto.randomUUID(), name, file: new Blob([await file.arrayBuffer()]), up: null };
@@ -106,31 +107,31 @@ export class CoverTaker implements Taker<Cover | null> {
   turn(up: Up): void {
     this.instead("mesh");
     const { cover } = this;
-    if (cover && !("shape" in cover.mesh)) this.put({ ...cover.mesh, key: crypto.randomUUID(), up }, "Turn");
+    if (cover && !("shape" in cover.mesh)) this.put({ ...cover.mesh, key: crypto.randomUUID(), up }, msg("Turn"));
   }
 
   pattern(style: PatternName | null): void {
     this.instead("style");
-    this.wear(style, style ? `Take the style ${style}` : "Take no style");
+    this.wear(style, style ? msg(str`Take the style ${style}`) : msg("Take no style"));
   }
 
   /** A picture whose look the wire takes on. */
   async picture(file: Blob, name: string): Promise<void> {
     await this.attempt("style", name, async () => {
       if (await this.bench.opens(file, name)) return { take: () => undefined };
-      if (!this.cover) throw new Problem(`A style needs a shape. Choose one, then give ${name} again.`);
+      if (!this.cover) throw new Problem(msg(str`A style needs a shape. Choose one, then give ${name} again.`));
       const { note, ...pixels } = await readPicture(file, name);
-      return { note, take: () => this.wear({ ...kept(pixels, name), key: crypto.randomUUID() }, `Take the style of ${name}`) };
+      return { note, take: () => this.wear({ ...kept(pixels, name), key: crypto.randomUUID() }, msg(str`Take the style of ${name}`)) };
     });
   }
 
   clear(): void {
     this.instead("mesh");
     this.instead("style");
-    if (this.cover) this.edit("Take the shape away", null);
+    if (this.cover) this.edit(msg("Take the shape away"), null);
   }
 
-  private put(mesh: Mesh, what = "Take the shape"): void {
+  private put(mesh: Mesh, what = msg("Take the shape")): void {
     const style = this.cover?.style ?? null;
     this.edit(`${what} ${meshName(mesh)}`, { mesh, style });
   }

@@ -1,5 +1,6 @@
 /** A mesh, and one closed wire all over it, in a style. */
 
+import { msg, str } from "@lit/localize";
 import { QUIET } from "../../state/contract/state";
 import type { PageTask } from "../../ui/shared/page-task";
 import { NO_COVER } from "./coverer";
@@ -12,33 +13,33 @@ export const fill: PageTask<Cover | null, Passing, CoverTaker> = {
   name: "fill",
   words: {
     given: "shape",
-    looking: "Looking at the shape",
-    needs: "A wire needs a shape to cover.",
-    remedy: "Choose one on the left, then press Cover it.",
-    text: "That was text. Here a wire covers a shape: drop a mesh, or a picture for its style.",
+    looking: msg("Looking at the shape"),
+    needs: msg("A wire needs a shape to cover."),
+    remedy: msg("Choose one on the left, then press Cover it."),
+    text: msg("That was text. Here a wire covers a shape: drop a mesh, or a picture for its style."),
   },
   page: {
-    tab: "A shape",
-    title: "One shape, one wire all over it",
-    panel: "Shape",
-    drops: "a mesh, a picture for its style, or a wire saved here",
-    run: "Cover it",
-    own: { icon: "open", instead: "Open a mesh", again: "Open a mesh" },
-    result: "Cover",
-    example: "One closed wire covers the whole shape. Make it again to watch how it gets there.",
+    tab: msg("A shape"),
+    title: msg("One shape, one wire all over it"),
+    panel: msg("Shape"),
+    drops: msg("a mesh, a picture for its style, or a wire saved here"),
+    run: msg("Cover it"),
+    own: { icon: "open", instead: msg("Open a mesh"), again: msg("Open a mesh") },
+    result: msg("Cover"),
+    example: msg("One closed wire covers the whole shape. Make it again to watch how it gets there."),
     planned: {
-      made: "The lines would run another way now: cover it to make that wire. The one made before is kept until then.",
-      none: "The thin line on the stage is the way of the wire. Cover it, and it thickens and bends into the style.",
+      made: msg("The lines would run another way now: cover it to make that wire. The one made before is kept until then."),
+      none: msg("The thin line on the stage is the way of the wire. Cover it, and it thickens and bends into the style."),
     },
   },
   stage: {
     views: {
-      room: "The wire covers the shape, in the corner of a room.",
-      front: "Seen straight from the front.",
-      right: "Seen straight from the right.",
-      back: "Seen straight from behind.",
-      left: "Seen straight from the left.",
-      top: "Seen straight from above.",
+      room: msg("The wire covers the shape, in the corner of a room."),
+      front: msg("Seen straight from the front."),
+      right: msg("Seen straight from the right."),
+      back: msg("Seen straight from behind."),
+      left: msg("Seen straight from the left."),
+      top: msg("Seen straight from above."),
     },
     tour: ["front", ...[60, 120, 180, 240, 300].map((azimuth) => ({ azimuth, elevation: 15 })), "front", "room"],
     farSide: "hidden_lines",
@@ -68,8 +69,8 @@ export const fill: PageTask<Cover | null, Passing, CoverTaker> = {
   stays(cover) {
     const mesh = cover !== null && !("shape" in cover.mesh);
     const picture = cover !== null && cover.style !== null && typeof cover.style !== "string";
-    const stays = mesh && picture ? "Your mesh and your picture stay" : mesh ? "Your mesh stays" : picture ? "Your picture stays" : "";
-    return stays && `${stays} on this device.`;
+    const stays = mesh && picture ? msg("Your mesh and your picture stay") : mesh ? msg("Your mesh stays") : picture ? msg("Your picture stays") : "";
+    return stays && msg(str`${stays} on this device.`);
   },
   open: (bench) => new CoverTaker(bench, fill),
   parts: () => import("./parts/parts"),

@@ -1,14 +1,16 @@
 /** Where arranging took a drawing, in words. */
 
-import { asSentence } from "../../state/common/words";
+import { msg, str } from "@lit/localize";
+import { asSentence } from "../../words/sentences";
 import type { DrawingPreview } from "../../engine/protocol";
+import { viewWords } from "../../view/heading";
 import type { Slot } from "./given";
 
 /** Where a drawing went, as far as that is not simply where it was put. */
 export function arrangement(slot: string, target: Pick<DrawingPreview, "view" | "mirrored" | "quarterTurns">): string {
-  const turned = ["", "turned left", "upside down", "turned right"][target.quarterTurns % 4]!;
-  const seen = target.view.name === slot ? "" : `seen from the ${target.view.name}`;
-  const words = [seen, target.mirrored ? "mirrored" : "", turned].filter(Boolean).join(", ");
+  const turned = ["", msg("turned left"), msg("upside down"), msg("turned right")][target.quarterTurns % 4]!;
+  const seen = target.view.name === slot ? "" : msg(str`seen from the ${viewWords(target.view.name)}`);
+  const words = [seen, target.mirrored ? msg("mirrored") : "", turned].filter(Boolean).join(", ");
   return words && asSentence(words);
 }
 

@@ -1,5 +1,6 @@
 /** How drawings go along in files, and come back from them. */
 
+import { msg } from "@lit/localize";
 import { onSheet } from "../../state/carrying/resized";
 import type { Packing } from "../../state/contract/task";
 import { NO_PAPERS, sheetsOf, SLOTS, type Papers } from "./given";
@@ -17,7 +18,7 @@ export const packing: Packing<Papers> = {
     const left = SLOTS.filter((slot) => !named.includes(slot));
     for (const drawing of drawings) {
       const slot = named.find((slot) => slot === drawing.view) ?? left.shift();
-      if (slot) papers = { ...papers, [slot]: withStamp(null, { label: drawing.label || "Drawing", ink: onSheet(drawing, PAPER_PX) }) };
+      if (slot) papers = { ...papers, [slot]: withStamp(null, { label: drawing.label || msg("Drawing"), ink: onSheet(drawing, PAPER_PX) }) };
     }
     return sheetsOf(papers).length ? papers : null;
   },

@@ -1,12 +1,14 @@
 /** What people do with the pads. */
 
-import { asSentence, explain } from "../../state/common/words";
+import { msg, str } from "@lit/localize";
+import { asSentence, explain } from "../../words/sentences";
 import type { Guide } from "../../engine/protocol";
 import type { Bench } from "../../state/contract/bench";
 import { givenFor, passingOf, QUIET, type PadState, type TaskState } from "../../state/contract/state";
 import type { Files, Taker } from "../../state/contract/task";
 import { deskOf, withDesk, withGiven } from "../../state/keeping/document";
 import { kept, pixelsOf, readPicture } from "../../state/picture/picture";
+import { viewWords } from "../../view/heading";
 import { mirrored, PAPER_PX, turned, type Paper, type PictureLayer } from "./paper";
 import { SLOTS, type Papers, type Slot } from "./given";
 import { Previewer, type PadRemedy, type PreviewState } from "./previewer";
@@ -37,7 +39,7 @@ export class Pads implements Taker<Papers> {
   async take({ pictures }: Files): Promise<void> {
     const { papers } = this;
     const order = [...SLOTS.filter((slot) => !papers[slot]), ...SLOTS.filter((slot) => papers[slot])];
-    for (const [i, file] of pictures.entries()) await this.give(order[i]!, file, file.name || `the ${order[i]!} picture`);
+    for (const [i, file] of pictures.entries()) await this.give(order[i]!, file, file.name || msg(str`the ${viewWords(order[i]!)} picture`));
   }
 
   applyRemedy({ kind, slots, quarterTurns }: PadRemedy): void {
@@ -63,7 +65,7 @@ export class Pads implements Taker<Papers> {
       const reading: Reading = { ink: "auto", threshold: 0 };
       const found = await this.bench.engine.call("read", { picture: { name, ...pixels }, reading, sidePx: PAPER_PX });
       const layer: PictureLayer = { kind: "picture", picture, reading, found, lay: { mirrored: false, quarterTurns: 0 } };
-      this.set(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, `Put ${name} on the ${slot} pad`);
+      this.set(slot, { layers: [layer], label: name.replace(/\.\w+$/, "") }, msg(str`Put ${name} on the ${viewWords(slot)} pad`));
       const notes = [note, asSentence(found.note ?? "")].filter((words) => words.length > 1);
       this.show(slot, { ...QUIET, note: notes.join(" ") });
     } catch (error) {
@@ -84,7 +86,7 @@ export class Pads implements Taker<Papers> {
       // Unless the pad was drawn on meanwhile.
       if (this.papers[slot] === paper) {
         const reread = { ...paper, layers: paper.layers.with(at, { ...layer, reading, found }) };
-        this.edit("Find the ink in another way", { [slot]: reread }, `reread ${slot}`);
+        this.edit(msg("Find the ink in another way"), { [slot]: reread }, `reread ${slot}`);
       }
       this.show(slot, QUIET);
     } catch (error) {
@@ -93,27 +95,27 @@ export class Pads implements Taker<Papers> {
   }
 
   mirror(slot: Slot): void {
-    this.change(slot, mirrored, `Mirror the ${slot} drawing`);
+    this.change(slot, mirrored, msg(str`Mirror the ${viewWords(slot)} drawing`));
   }
 
   /** Counter-clockwise. */
   turn(slot: Slot, quarterTurns: number): void {
-    this.change(slot, (paper) => turned(paper, quarterTurns), `Turn the ${slot} drawing`);
+    this.change(slot, (paper) => turned(paper, quarterTurns), msg(str`Turn the ${viewWords(slot)} drawing`));
   }
 
   /** Their words go along. */
   swap(a: Slot, b: Slot): void {
     const { papers, words } = this;
-    this.edit(`Swap ${a} and ${b}`, { [a]: papers[b], [b]: papers[a] }, "", { ...words, [a]: words[b] ?? "", [b]: words[a] ?? "" });
+    this.edit(msg(str`Swap ${viewWords(a)} and ${viewWords(b)}`), { [a]: papers[b], [b]: papers[a] }, "", { ...words, [a]: words[b] ?? "", [b]: words[a] ?? "" });
   }
 
   clearPad(slot: Slot): void {
     this.show(slot, QUIET);
-    this.edit(`Clear the ${slot} pad`, { [slot]: null }, "", { ...this.words, [slot]: "" });
+    this.edit(msg(str`Clear the ${viewWords(slot)} pad`), { [slot]: null }, "", { ...this.words, [slot]: "" });
   }
 
   clear(): void {
-    this.edit("Start with empty pads", this.task.blank, "", {});
+    this.edit(msg("Start with empty pads"), this.task.blank, "", {});
   }
 
   /** What pulls the wire, by pad. */

@@ -1,5 +1,6 @@
 /** A pad's drawing: layers of ink on a square sheet, and what may be done to it. Immutable: every change is a new sheet. */
 
+import { msg } from "@lit/localize";
 import type { KeptPicture } from "../../state/picture/picture";
 import type { Drawing, FoundInk, Reading } from "./protocol";
 import { laid, laidPoints, over, quarters, stroke, thinned, type Lay, type PenLine } from "../../state/picture/ink";
@@ -49,7 +50,7 @@ const BLANK_PAPER: Paper = { layers: [], label: "" };
 export function withStroke(paper: Paper | null, stroke: Omit<StrokeLayer, "kind">): Paper {
   const points = thinned(stroke.points, SMOOTH_PX).map((value) => Math.round(value / GRID_PX) * GRID_PX);
   const { layers, label } = paper ?? BLANK_PAPER;
-  return { layers: [...layers, { kind: "stroke", ...stroke, points }], label: label || "Drawing" };
+  return { layers: [...layers, { kind: "stroke", ...stroke, points }], label: label || msg("Drawing") };
 }
 
 /**

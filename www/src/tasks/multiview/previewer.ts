@@ -1,8 +1,9 @@
 /** Keeps a preview of the drawings as they are now: soon after they change, one at a time, and only of the newest. */
 
+import { msg } from "@lit/localize";
 import type { BendPreview, DrawingPreview, Preview, Remedy, SettingValues } from "../../engine/protocol";
 import { nextTurn } from "../../state/common/next-turn";
-import { explain } from "../../state/common/words";
+import { explain } from "../../words/sentences";
 import { drawingOf, isBlank } from "./paper";
 import { laidOut, SLOTS, type Papers, type Slot } from "./given";
 import type { Drawing } from "./protocol";
@@ -86,7 +87,7 @@ export class Previewer {
         this.show({ preview: bySlots, previewBusy: false, previewProblem: "" });
       }
     } catch (error) {
-      if (current()) this.show({ preview: null, previewBusy: false, previewProblem: explain(error, "The preview") });
+      if (current()) this.show({ preview: null, previewBusy: false, previewProblem: explain(error, msg("The preview")) });
     }
     this.working = false;
     if (!current() && this.wanted) void this.work();

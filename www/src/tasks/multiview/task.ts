@@ -1,5 +1,6 @@
 /** Several drawings, one wire that shows each from its side. */
 
+import { msg } from "@lit/localize";
 import { nextTurn } from "../../state/common/next-turn";
 import { QUIET } from "../../state/contract/state";
 import type { PageTask } from "../../ui/shared/page-task";
@@ -14,27 +15,27 @@ export const multiview: PageTask<Papers, Passing, Pads> = {
   name: "multiview",
   words: {
     given: "drawings",
-    looking: "Looking at the drawings",
-    needs: "A wire needs at least two drawings.",
-    remedy: "Put one into another pad, or let a word pull there, then press Run.",
-    text: "That was text. To make a wire of a word, open a pad, choose Type and write it there.",
+    looking: msg("Looking at the drawings"),
+    needs: msg("A wire needs at least two drawings."),
+    remedy: msg("Put one into another pad, or let a word pull there, then press Run."),
+    text: msg("That was text. To make a wire of a word, open a pad, choose Type and write it there."),
   },
   page: {
-    tab: "Three views",
-    title: "Three drawings, one wire",
-    panel: "Pictures",
-    drops: "pictures, or a wire saved here",
-    run: "Run",
-    own: { icon: "pencil", instead: "Draw your own", again: "Start over" },
-    result: "Match",
-    example: "Three pictures in one wire. Make it again to watch how it gets there.",
+    tab: msg("Three views"),
+    title: msg("Three drawings, one wire"),
+    panel: msg("Pictures"),
+    drops: msg("pictures, or a wire saved here"),
+    run: msg("Run"),
+    own: { icon: "pencil", instead: msg("Draw your own"), again: msg("Start over") },
+    result: msg("Match"),
+    example: msg("Three pictures in one wire. Make it again to watch how it gets there."),
   },
   stage: {
     views: {
-      room: "The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings.",
-      front: "Seen straight from the front, where the wire shows the first drawing.",
-      side: "Seen straight from the side, where the wire shows the second drawing.",
-      top: "Seen straight from above, where the wire shows the third drawing.",
+      room: msg("The wire hangs in the corner of a room. Its shadows on the back wall, the side wall and the floor are the three drawings."),
+      front: msg("Seen straight from the front, where the wire shows the first drawing."),
+      side: msg("Seen straight from the side, where the wire shows the second drawing."),
+      top: msg("Seen straight from above, where the wire shows the third drawing."),
     },
     tour: ["front", "side", "top", "room"],
   },

@@ -1,5 +1,6 @@
 /** How the one picture goes along in files, and comes back from them. */
 
+import { msg } from "@lit/localize";
 import { darkness, pictureOf } from "../../state/carrying/picture";
 import { resized } from "../../state/carrying/resized";
 import type { Packing } from "../../state/contract/task";
@@ -21,7 +22,7 @@ export const packing: Packing<Subject | null> = {
     return { drawings: [{ view: "front", label: picture.name, width, height, ink: object ? alone(ink, object) : ink }], pairs: {} };
   },
   async unpack({ drawings: [drawing] }) {
-    return drawing ? { picture: pictureOf(drawing, drawing.label || "Picture"), object: 1, strokes: [], found: null, depth: null } : null;
+    return drawing ? { picture: pictureOf(drawing, drawing.label || msg("Picture")), object: 1, strokes: [], found: null, depth: null } : null;
   },
 };
 

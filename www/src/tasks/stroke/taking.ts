@@ -1,8 +1,9 @@
 /** What people do with the one picture: give it, say what of it is meant, and how deep it is. */
 
+import { msg, str } from "@lit/localize";
 import { Problem } from "../../engine/client";
 import type { Picture } from "../../engine/protocol";
-import { explain } from "../../state/common/words";
+import { explain } from "../../words/sentences";
 import type { Bench } from "../../state/contract/bench";
 import { givenFor, QUIET, type PadState, type TaskState } from "../../state/contract/state";
 import type { Files, Taker } from "../../state/contract/task";
@@ -36,7 +37,7 @@ export class SubjectTaker implements Taker<Subject | null> {
   ) {}
 
   async take({ pictures }: Files): Promise<void> {
-    for (const file of pictures) await this.give(file, file.name || "the picture");
+    for (const file of pictures) await this.give(file, file.name || msg("the picture"));
   }
 
   /** A picture, and the object the app finds in it. A bad one leaves what was there. */
@@ -46,7 +47,7 @@ export class SubjectTaker implements Taker<Subject | null> {
       const { note, ...pixels } = await readPicture(file, name);
       const picture = kept(pixels, name);
       const subject: Subject = { picture, object: 1, strokes: [], found: null, depth: await this.guessDepth(picture) };
-      const take = (found: Subject["found"]): void => this.edit(`Take the picture ${name}`, { ...subject, found });
+      const take = (found: Subject["found"]): void => this.edit(msg(str`Take the picture ${name}`), { ...subject, found });
       try {
         take(await this.seek(subject));
       } catch (error) {
@@ -65,7 +66,7 @@ export class SubjectTaker implements Taker<Subject | null> {
     await this.attempt(subject.picture.name, async () => {
       const chosen: Subject = { ...subject, object, box: null, marks: [] };
       const found = await this.seek(chosen);
-      if (this.subject === subject) this.edit("Choose another object", { ...chosen, found });
+      if (this.subject === subject) this.edit(msg("Choose another object"), { ...chosen, found });
     });
   }
 
@@ -91,7 +92,7 @@ export class SubjectTaker implements Taker<Subject | null> {
 
   /** Brush strokes over what was found. */
   paint(strokes: readonly MaskStroke[]): void {
-    this.change({ strokes }, strokes.length < (this.subject?.strokes.length ?? 0) ? "Take strokes off the object" : "Paint the object");
+    this.change({ strokes }, strokes.length < (this.subject?.strokes.length ?? 0) ? msg("Take strokes off the object") : msg("Paint the object"));
   }
 
   async giveDepth(file: Blob, name: string): Promise<void> {
@@ -100,20 +101,20 @@ export class SubjectTaker implements Taker<Subject | null> {
       const { note, ...pixels } = await readPicture(file, name, true);
       const { width, height } = this.subject!.picture;
       if (pixels.width !== width || pixels.height !== height) {
-        throw new Problem(`${name} is ${pixels.width} × ${pixels.height} pixels and the picture ${width} × ${height}. Give a depth picture of the same size.`);
+        throw new Problem(msg(str`${name} is ${pixels.width} × ${pixels.height} pixels and the picture ${width} × ${height}. Give a depth picture of the same size.`));
       }
-      this.change({ depth: kept(pixels, name) }, `Take ${name} for the depth`);
+      this.change({ depth: kept(pixels, name) }, msg(str`Take ${name} for the depth`));
       return note;
     });
   }
 
   clearDepth(): void {
-    this.change({ depth: null }, "Leave the depth to the app");
+    this.change({ depth: null }, msg("Leave the depth to the app"));
   }
 
   clear(): void {
     this.show(QUIET);
-    if (this.subject) this.edit("Take the picture away", null);
+    if (this.subject) this.edit(msg("Take the picture away"), null);
   }
 
   /** The object of a picture that came without, for showing: it needs the core. */

@@ -1,5 +1,6 @@
 /** One picture, one wire that draws it and still makes sense from the side. */
 
+import { msg } from "@lit/localize";
 import { QUIET, type PadState } from "../../state/contract/state";
 import { pixelsOf } from "../../state/picture/picture";
 import type { PageTask } from "../../ui/shared/page-task";
@@ -12,27 +13,27 @@ export const stroke: PageTask<Subject | null, PadState, SubjectTaker> = {
   name: "stroke",
   words: {
     given: "picture",
-    looking: "Looking at the picture",
-    needs: "A wire needs a picture.",
-    remedy: "Give one on the left, then press Run.",
-    text: "That was text. Here a wire is made of a picture: paste or drop one.",
+    looking: msg("Looking at the picture"),
+    needs: msg("A wire needs a picture."),
+    remedy: msg("Give one on the left, then press Run."),
+    text: msg("That was text. Here a wire is made of a picture: paste or drop one."),
   },
   page: {
-    tab: "One picture",
-    title: "One picture, one wire that turns",
-    panel: "Picture",
-    drops: "a picture, or a wire saved here",
-    run: "Run",
-    own: { icon: "picture", instead: "Use your own", again: "Start over" },
-    result: "Match",
-    example: "One wire draws the picture, and goes on round the back. Make it again to watch how it gets there.",
+    tab: msg("One picture"),
+    title: msg("One picture, one wire that turns"),
+    panel: msg("Picture"),
+    drops: msg("a picture, or a wire saved here"),
+    run: msg("Run"),
+    own: { icon: "picture", instead: msg("Use your own"), again: msg("Start over") },
+    result: msg("Match"),
+    example: msg("One wire draws the picture, and goes on round the back. Make it again to watch how it gets there."),
   },
   stage: {
     views: {
-      room: "The wire hangs in the corner of a room. Its shadow on the back wall is the picture.",
-      front: "Seen straight from the front, where the wire shows the picture.",
-      side: "Seen straight from the side.",
-      top: "Seen straight from above.",
+      room: msg("The wire hangs in the corner of a room. Its shadow on the back wall is the picture."),
+      front: msg("Seen straight from the front, where the wire shows the picture."),
+      side: msg("Seen straight from the side."),
+      top: msg("Seen straight from above."),
     },
     tour: ["front", ...[45, 135, 225, 315].map((azimuth) => ({ azimuth, elevation: 10 })), "front", "room"],
   },

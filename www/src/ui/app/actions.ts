@@ -20,9 +20,9 @@ const look = (view: ViewName, key: string, help: string): PageAction => ({ id: `
 export const share: PageAction = {
   id: "share",
   part: "share",
-  label: "Share",
+  label: msg("Share"),
   keys: ["S"],
-  help: "Share the wire",
+  help: msg("Share the wire"),
   can: ({ doc, phase }) => phase === "idle" && deskOf(doc).made !== null,
   act: (page) => page.share(),
 };
@@ -31,9 +31,9 @@ export const share: PageAction = {
 export const glass: PageAction = {
   id: "glass",
   part: "glass",
-  label: "Glass box",
+  label: msg("Glass box"),
   keys: ["G"],
-  help: "Open the optimiser, or close it",
+  help: msg("Open the optimiser, or close it"),
   act: (page) => {
     const { store } = page.bench;
     const isOpen = store.get().tool === "glass";
@@ -46,9 +46,9 @@ export const glass: PageAction = {
 export const hands: PageAction = {
   id: "hands",
   part: "hands",
-  label: "Hands on",
+  label: msg("Hands on"),
   keys: ["E"],
-  help: "Take the wire in hand, or leave it",
+  help: msg("Take the wire in hand, or leave it"),
   act: (page) => {
     const { store } = page.bench;
     const isOpen = store.get().tool === "hands";
@@ -57,16 +57,16 @@ export const hands: PageAction = {
   },
 };
 
-export const help: PageAction = { id: "help", label: "Help", keys: ["?"], help: "This help", act: (page) => page.help() };
+export const help: PageAction = { id: "help", label: msg("Help"), keys: ["?"], help: msg("This help"), act: (page) => page.help() };
 
 /** In the order of help's list. */
 export const ACTIONS: readonly PageAction[] = [
   run,
   pause,
-  look("front", "1", "Look from the front"),
-  look("side", "2", "Look from the side"),
-  look("top", "3", "Look from above"),
-  look("room", "F", "See the whole room"),
+  look("front", "1", msg("Look from the front")),
+  look("side", "2", msg("Look from the side")),
+  look("top", "3", msg("Look from above")),
+  look("room", "F", msg("See the whole room")),
   undo,
   redo,
   share,

@@ -1,17 +1,18 @@
 /** What a screen reader hears of the page, at a bearable pace. */
 
+import { msg, str } from "@lit/localize";
 import { deskOf, type Made, type Phase, type StudioState } from "../../state/studio";
-import { percent } from "../../state/common/words";
+import { percent } from "../../words/numbers";
 import type { Task } from "../../state/contract/task";
 import { variantOf } from "../../state/keeping/track";
 import { compared, weighed } from "../run/compared";
 
 const PHASES: Readonly<Record<Phase, string>> = {
   idle: "",
-  preparing: "Preparing the run.",
-  running: "The wire is being bent into shape.",
-  paused: "Paused.",
-  finishing: "Keeping the best wire so far.",
+  preparing: msg("Preparing the run."),
+  running: msg("The wire is being bent into shape."),
+  paused: msg("Paused."),
+  finishing: msg("Keeping the best wire so far."),
 };
 
 /** What is read here of tasks. */
@@ -25,13 +26,13 @@ export function news(before: StudioState, now: StudioState, tasks: readonly Told
     if (now.phase !== "idle") break;
     // Of the run that was on the page, and not kept from before or brought back by undo.
     const fresh = ({ track }: Made): boolean => track !== null && track === before.track;
-    if (made !== madeBefore && made?.source === "run" && fresh(made)) return `Done. ${verdict(made)}`;
-    if (loose !== looseBefore && loose && made && fresh(loose)) return `Done. ${variantOf(loose.track) === "loose" ? compared(made, loose, views.length) : weighed(made, loose, views.length)}`;
+    if (made !== madeBefore && made?.source === "run" && fresh(made)) return msg(str`Done. ${verdict(made)}`);
+    if (loose !== looseBefore && loose && made && fresh(loose)) return msg(str`Done. ${variantOf(loose.track) === "loose" ? compared(made, loose, views.length) : weighed(made, loose, views.length)}`);
   }
   if (now.said !== before.said && now.said) return now.said;
-  if (now.phase !== before.phase) return PHASES[now.phase] || "The run has ended.";
+  if (now.phase !== before.phase) return PHASES[now.phase] || msg("The run has ended.");
   const quarter = Math.floor(4 * now.progress.share);
-  if (now.phase === "running" && quarter > Math.floor(4 * before.progress.share) && quarter < 4) return `${percent(quarter / 4)} done.`;
+  if (now.phase === "running" && quarter > Math.floor(4 * before.progress.share) && quarter < 4) return msg(str`${percent(quarter / 4)} done.`);
   return "";
 }
 

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { icons } from "../shared/icons";
@@ -41,7 +42,7 @@ export class DropHint extends LitElement {
   ];
 
   override render() {
-    return html`${icons.pictures}${this.locked ? "Wait for the run to end" : `Drop ${this.what}`}`;
+    return html`${icons.pictures}${this.locked ? msg("Wait for the run to end") : msg(str`Drop ${this.what}`)}`;
   }
 
   override connectedCallback(): void {

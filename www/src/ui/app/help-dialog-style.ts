@@ -50,6 +50,14 @@ export const helpDialogStyle = css`
     gap: 8px;
     min-height: 24px;
   }
+  .language select {
+    min-height: 40px;
+    padding: 0 8px;
+    border: 1px solid var(--line-strong);
+    border-radius: 6px;
+    background: var(--raised);
+    color: inherit;
+  }
   input {
     flex: none;
     width: 20px;

@@ -1,8 +1,9 @@
+import { msg, str } from "@lit/localize";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { continueUnfinished, dismiss, dropUnfinished, keepHere, loadNew } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
-import { count } from "../../state/common/count";
+import { count } from "../../words/numbers";
 import { Part } from "../../view/part";
 import { engineProblem } from "./engine-check";
 import { icons } from "../shared/icons";
@@ -67,32 +68,32 @@ export class NoticeList extends Part {
         ${problem
           ? html`<div class="notice problem">
               ${icons.warning}<span>${problem}</span>
-              <button class="plain square" aria-label="Close this message" @click=${() => this.studio.act(dismiss, problem)}>${icons.close}</button>
+              <button class="plain square" aria-label=${msg("Close this message")} @click=${() => this.studio.act(dismiss, problem)}>${icons.close}</button>
             </div>`
           : nothing}
       </div>
       ${notices.map((words) =>
         this.notice(
           words,
-          html`<button class="plain square" aria-label="Close this message" @click=${() => this.studio.act(dismiss, words)}>${icons.close}</button>`,
+          html`<button class="plain square" aria-label=${msg("Close this message")} @click=${() => this.studio.act(dismiss, words)}>${icons.close}</button>`,
         ),
       )}
       ${this.engineProblem ? this.notice(this.engineProblem) : nothing}
       ${unfinished && phase === "idle" && !lesson
         ? this.notice(
             unfinished.iterations > 0
-              ? `A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`
-              : "A run was cut off before its first wire.",
+              ? msg(str`A run was cut off at step ${count(unfinished.iteration)} of ${count(unfinished.iterations)}.`)
+              : msg("A run was cut off before its first wire."),
             html`<button class="primary" @click=${() => this.studio.act(continueUnfinished)}>${continueUnfinished.label}</button>
               <button @click=${() => this.studio.act(dropUnfinished)}>${dropUnfinished.label}</button>`,
           )
         : nothing}
       ${this.state.loadNew && phase === "idle" && !lesson
-        ? this.notice("A new version of this page is ready.", html`<button @click=${() => this.studio.act(loadNew)}>${loadNew.label}</button>`)
+        ? this.notice(msg("A new version of this page is ready."), html`<button @click=${() => this.studio.act(loadNew)}>${loadNew.label}</button>`)
         : nothing}
       ${keeping === "elsewhere" && !lesson
         ? this.notice(
-            "This project is open in another tab; what you do here is not kept.",
+            msg("This project is open in another tab; what you do here is not kept."),
             html`<button @click=${() => this.studio.act(keepHere)}>${keepHere.label}</button>`,
           )
         : nothing}

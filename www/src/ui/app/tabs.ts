@@ -1,5 +1,6 @@
 /** The parts of the sheet on a phone, and the tabs that choose one. */
 
+import { msg } from "@lit/localize";
 import { css, html, type TemplateResult } from "lit";
 import { icons } from "../shared/icons";
 import { walkTabs } from "../shared/tablist";
@@ -10,17 +11,17 @@ export type Tab = (typeof TABS)[number];
 export const LESSON_TAB: Tab = "lesson";
 
 const SHOWN: Readonly<Record<Tab, { words: string; icon: TemplateResult }>> = {
-  lesson: { words: "Lesson", icon: icons.lesson },
-  pictures: { words: "Pictures", icon: icons.pictures },
-  run: { words: "Run", icon: icons.run },
-  settings: { words: "Settings", icon: icons.settings },
-  share: { words: "Share", icon: icons.share },
+  lesson: { words: msg("Lesson"), icon: icons.lesson },
+  pictures: { words: msg("Pictures"), icon: icons.pictures },
+  run: { words: msg("Run"), icon: icons.run },
+  settings: { words: msg("Settings"), icon: icons.settings },
+  share: { words: msg("Share"), icon: icons.share },
 };
 
 /** `pads` is what the part where things are given is called; `chosen` is null where something else lies in the sheet. */
 export function tabs(chosen: Tab | null, pads: string, choose: (tab: Tab) => void, shown: readonly Tab[]): TemplateResult {
   const press = (event: KeyboardEvent): void => walkTabs(event, shown, choose);
-  return html`<div class="tabs" role="tablist" aria-label="Parts of the page" data-keys @keydown=${press}>
+  return html`<div class="tabs" role="tablist" aria-label=${msg("Parts of the page")} data-keys @keydown=${press}>
     ${shown.map(
       (tab) => html`<button
         id="tab-${tab}"

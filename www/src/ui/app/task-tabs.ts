@@ -1,5 +1,6 @@
 /** What can be made here, as tabs. */
 
+import { msg } from "@lit/localize";
 import { css, html, type TemplateResult } from "lit";
 import type { PageTask } from "../shared/page-task";
 import { walkTabs } from "../shared/tablist";
@@ -7,7 +8,7 @@ import { walkTabs } from "../shared/tablist";
 /** `running` is the task that a run is under way for. */
 export function taskTabs(tasks: readonly PageTask[], chosen: string, running: string | null, choose: (task: string) => void): TemplateResult {
   const names = tasks.map(({ name }) => name);
-  return html`<div class="tasks" role="tablist" aria-label="What to make" data-keys @keydown=${(event: KeyboardEvent) => walkTabs(event, names, choose)}>
+  return html`<div class="tasks" role="tablist" aria-label=${msg("What to make")} data-keys @keydown=${(event: KeyboardEvent) => walkTabs(event, names, choose)}>
     ${tasks.map(
       ({ name, page }) => html`<button
         id="tab-${name}"
@@ -18,7 +19,7 @@ export function taskTabs(tasks: readonly PageTask[], chosen: string, running: st
         tabindex=${name === chosen ? 0 : -1}
         @click=${() => choose(name)}
       >
-        <span>${page.tab}</span>${name === running && name !== chosen ? html`<i></i><span class="unseen">, being made</span>` : ""}
+        <span>${page.tab}</span>${name === running && name !== chosen ? html`<i></i><span class="unseen">${msg(", being made")}</span>` : ""}
       </button>`,
     )}
   </div>`;

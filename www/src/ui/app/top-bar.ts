@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { isHidden } from "../../state/common/locks";
@@ -12,7 +13,7 @@ import { taskTabs, taskTabsStyle } from "./task-tabs";
 import { chooseTheme, nextTheme, theme, type Theme } from "../shared/theme";
 import { topBarStyle } from "./top-bar-style";
 
-const THEME_WORDS: Readonly<Record<Theme, string>> = { system: "as the system", light: "light", dark: "dark" };
+const THEME_WORDS: Readonly<Record<Theme, string>> = { system: msg("as the system"), light: msg("light"), dark: msg("dark") };
 
 /** Name, what to make, undo, redo, sharing, colours and help. */
 @customElement("top-bar")
@@ -28,16 +29,16 @@ export class TopBar extends Part {
 
   override render() {
     const { running, doc } = this.state;
-    const colours = `Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[nextTheme(this.theme)]}`;
+    const colours = msg(str`Colours: ${THEME_WORDS[this.theme]}. Switch to ${THEME_WORDS[nextTheme(this.theme)]}`);
     return html`
       <h1>Wire<b>4D</b></h1>
       ${isHidden(this.state, "tabs")
         ? html`<span class="tasks"></span>`
         : taskTabs(this.tasks, doc.task, running, (task) => this.studio.act(chooseTask, task))}
-      ${isHidden(this.state, "gallery") ? nothing : html`<a class="gallery" href="./gallery.html">Gallery</a> <a class="gallery lessons" href="./teachers.html">Lessons</a>`}
+      ${isHidden(this.state, "gallery") ? nothing : html`<a class="gallery" href="./gallery.html">${msg("Gallery")}</a> <a class="gallery lessons" href="./teachers.html">${msg("Lessons")}</a>`}
       <div class="tools">
         ${this.acting(undo, icons.undo)} ${this.acting(redo, icons.redo)}
-        <button class="share" ?hidden=${isHidden(this.state, "share")} ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} Share</button>
+        <button class="share" ?hidden=${isHidden(this.state, "share")} ?disabled=${!this.studio.can(share)} @click=${() => this.act(share)}>${icons.share} ${msg("Share")}</button>
         ${this.tool(icons[this.theme], colours, true, () => chooseTheme((this.theme = nextTheme(this.theme))))}
         ${this.acting(help, icons.help)}
       </div>

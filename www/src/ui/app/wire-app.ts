@@ -1,4 +1,4 @@
-import { msg } from "@lit/localize";
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { LookName } from "#sculpture/scene/looks";
@@ -6,18 +6,20 @@ import type { Faults } from "../../engine/protocol";
 import { isHidden, isLocked, type Part as PagePart } from "../../state/common/locks";
 import { nextTurn } from "../../state/common/next-turn";
 import { remember, remembered } from "../../state/common/remember";
-import { explain } from "../../state/common/words";
-import { deskOf, tableOf, type Studio, type StudioState } from "../../state/studio";
+import { explain } from "../../words/sentences";
+import { deskOf, tableOf, type Made, type Studio, type StudioState } from "../../state/studio";
 import type { Tool } from "../../state/contract/state";
 import { useTool } from "../../state/actions/actions";
 import type { Heading } from "../../view/heading";
 import type { ResultPanel } from "../run/result-panel";
+import { givenLabels } from "../save/labels";
 import type { SavePanel } from "../save/save-panel";
 import { NARROW } from "../shared/narrow";
 import type { Page, PageTask, TaskParts } from "../shared/page-task";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 import type { ToolParts } from "../stage/tool";
+import { description } from "../stage/description";
 import type { WireStage } from "../stage/wire-stage";
 import { glass, hands, help, share, type PageAction, type PageParts } from "./actions";
 import { layout } from "./app-layout";
@@ -86,7 +88,7 @@ export class WireApp extends LitElement {
     return html`
       <top-bar role="banner" .studio=${studio} .state=${now} .tasks=${tasks} .act=${this.act}></top-bar>
       <main class=${this.opened ? "" : "coming"}>
-        <div class="left" tabindex=${resting ? 0 : nothing} role=${resting ? "group" : nothing} aria-label=${resting ? `${panel}, at rest during a run` : nothing}>
+        <div class="left" tabindex=${resting ? 0 : nothing} role=${resting ? "group" : nothing} aria-label=${resting ? msg(str`${panel}, at rest during a run`) : nothing}>
           ${now.lesson ? this.lesson() : nothing}
           <section
             id="part-pictures"
@@ -101,6 +103,7 @@ export class WireApp extends LitElement {
         </div>
         <wire-stage
           .words=${task.stage}
+          .alt=${description(shownWire(now), givenLabels(now, task))}
           .look=${look.look}
           .room=${look.room}
           .body=${parts?.body?.(now) ?? null}
@@ -121,16 +124,16 @@ export class WireApp extends LitElement {
         <notice-list .studio=${studio} .state=${now}></notice-list>
         <div class="right" ?hidden=${RIGHT.every((part) => isHidden(now, part))}>
           <run-panel ?inert=${isLocked(now, "run")} ?hidden=${isHidden(now, "run") || (this.narrow.matches && this.tab === LESSON_TAB)} .studio=${studio} .state=${now} .tasks=${tasks} @own=${() => this.parts[task.name]?.own(this.page)}></run-panel>
-          <section id="part-run" role=${this.panel()} aria-label="Run and match" ?inert=${isLocked(now, "result")} ?hidden=${this.folded("run") || isHidden(now, "result")} @look-from=${this.lookFrom} @mark=${this.mark}>
+          <section id="part-run" role=${this.panel()} aria-label=${msg("Run and match")} ?inert=${isLocked(now, "result")} ?hidden=${this.folded("run") || isHidden(now, "result")} @look-from=${this.lookFrom} @mark=${this.mark}>
             ${this.narrow.matches ? this.timeLine() : nothing}
             ${parts?.choices(ofTask) ?? nothing}
             <result-panel .task=${task} .parts=${parts} .state=${now}></result-panel>
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
-          <section id="part-share" role=${this.panel()} aria-label="Save and share" ?inert=${isLocked(now, "save")} ?hidden=${this.folded("share") || isHidden(now, "save")}>
+          <section id="part-share" role=${this.panel()} aria-label=${msg("Save and share")} ?inert=${isLocked(now, "save")} ?hidden=${this.folded("share") || isHidden(now, "save")}>
             <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()}></save-panel>
           </section>
-          <section id="part-settings" role=${this.panel()} aria-label="Settings" ?inert=${isLocked(now, "settings")} ?hidden=${this.folded("settings") || isHidden(now, "settings")}>
+          <section id="part-settings" role=${this.panel()} aria-label=${msg("Settings")} ?inert=${isLocked(now, "settings")} ?hidden=${this.folded("settings") || isHidden(now, "settings")}>
             <settings-panel
               .studio=${studio}
               .table=${tableOf(now)}
@@ -222,12 +225,12 @@ export class WireApp extends LitElement {
 
   /** Beside the stage on a desk, a part of the sheet on a phone. */
   private lesson() {
-    return html`<lesson-panel id="part-lesson" @share-wire=${() => this.act(share)} ?kiosk=${this.now.lesson?.kiosk === true} role=${this.panel()} aria-label="The lesson" ?hidden=${this.folded(LESSON_TAB)} .studio=${this.studio} .state=${this.now}></lesson-panel>`;
+    return html`<lesson-panel id="part-lesson" @share-wire=${() => this.act(share)} ?kiosk=${this.now.lesson?.kiosk === true} role=${this.panel()} aria-label=${msg("The lesson")} ?hidden=${this.folded(LESSON_TAB)} .studio=${this.studio} .state=${this.now}></lesson-panel>`;
   }
 
   private links() {
-    return html`<a class="gallery" href="./gallery.html" ?hidden=${isHidden(this.now, "gallery")}>Gallery</a>
-      <a class="gallery" href="./teachers.html" ?hidden=${isHidden(this.now, "gallery")}>Lessons</a>`;
+    return html`<a class="gallery" href="./gallery.html" ?hidden=${isHidden(this.now, "gallery")}>${msg("Gallery")}</a>
+      <a class="gallery" href="./teachers.html" ?hidden=${isHidden(this.now, "gallery")}>${msg("Lessons")}</a>`;
   }
 
   private get shownTabs(): readonly Tab[] {
@@ -270,7 +273,7 @@ export class WireApp extends LitElement {
       this.tools = { ...this.tools, [tool]: this.tools[tool] ?? open(this.studio, this.stage) };
     } catch (error) {
       this.studio.act(useTool, null);
-      this.studio.warn(explain(error, "This part of the page"));
+      this.studio.warn(explain(error, msg("This part of the page")));
     }
   }
 
@@ -301,13 +304,13 @@ export class WireApp extends LitElement {
     if (this.narrow.matches) this.studio.act(useTool, null);
     const view = now.lesson.steps[now.at]!.view;
     if (view) this.stage.flyTo(view);
-    await import("../lesson/lesson-panel").catch((error: unknown) => this.studio.warn(explain(error, "The lesson")));
+    await import("../lesson/lesson-panel").catch((error: unknown) => this.studio.warn(explain(error, msg("The lesson"))));
   }
 
   private turnTo(task: string): void {
     this.editing = null;
     this.throughNow = null;
-    this.loadPartsOf(task).catch((error: unknown) => this.studio.warn(explain(error, "This part of the page")));
+    this.loadPartsOf(task).catch((error: unknown) => this.studio.warn(explain(error, msg("This part of the page"))));
     this.stage.flyTo("room");
   }
 
@@ -420,6 +423,11 @@ export class WireApp extends LitElement {
     await dialog.updateComplete;
     dialog.show();
   }
+}
+
+/** The wire on the stage, where it is one that was made. */
+function shownWire({ doc, running, looking, ahead }: StudioState): Made | null {
+  return running === doc.task || looking !== null || ahead?.task === doc.task ? null : deskOf(doc).made;
 }
 
 /** Whether the run that was looked at has come to its wire. */

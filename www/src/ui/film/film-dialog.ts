@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { BodyShape } from "#sculpture/scene/body";
@@ -8,7 +9,8 @@ import type { WireShape } from "#sculpture/scene/shape";
 import { bestChoice, formatWords, GIF, sizeFor, type Choice } from "../../film/formats";
 import { Filmer, GivenUp } from "../../film/filmer";
 import { secondsOf, type Progress } from "../../film/orders";
-import { timeLeft } from "../../state/common/words";
+import { timeLeft } from "../../words/sentences";
+import { viewWords } from "../../view/heading";
 import { dialogHeadStyle, dialogStyle } from "../shared/dialog-style";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
@@ -82,23 +84,23 @@ export class FilmDialog extends LitElement {
     const { kind, busy } = this;
     return html`<dialog aria-labelledby="title" @click=${this.clickedBeside} @cancel=${this.cancelled} @close=${this.closed}>
       <header>
-        <h1 id="title">Pictures and films</h1>
-        <button class="plain square" aria-label="Close" @click=${() => this.dialog.close()}>${icons.close}</button>
+        <h1 id="title">${msg("Pictures and films")}</h1>
+        <button class="plain square" aria-label=${msg("Close")} @click=${() => this.dialog.close()}>${icons.close}</button>
       </header>
       <div class="body">
-        <film-preview .filmer=${this.filmer} .of=${this.previewed} .version=${this.version} .rests=${busy} label=${`Preview: ${KINDS[kind].words.toLowerCase()}`}></film-preview>
+        <film-preview .filmer=${this.filmer} .of=${this.previewed} .version=${this.version} .rests=${busy} label=${msg(str`Preview: ${KINDS[kind].words.toLowerCase()}`)}></film-preview>
         <div class="choices">
-          ${segmented({ ...this.segment("kind", "What"), options: this.kinds, value: kind, choose: (kind) => this.change({ kind: kind as Kind }) })}
-          ${this.scenery.way.length < 2 ? html`<p class="small quiet">“${KINDS.found.words}” is there after a run of your own.</p>` : nothing}
-          ${segmented({ ...this.segment("shape", "Size"), options: SHAPE_OPTIONS, value: this.shape, choose: (shape) => this.change({ shape: shape as Shape }) })}
+          ${segmented({ ...this.segment("kind", msg("What")), options: this.kinds, value: kind, choose: (kind) => this.change({ kind: kind as Kind }) })}
+          ${this.scenery.way.length < 2 ? html`<p class="small quiet">${msg(str`“${KINDS.found.words}” is there after a run of your own.`)}</p>` : nothing}
+          ${segmented({ ...this.segment("shape", msg("Size")), options: SHAPE_OPTIONS, value: this.shape, choose: (shape) => this.change({ shape: shape as Shape }) })}
           ${this.shape === "custom" ? this.sides() : nothing}
           <div class="pair">
-            ${segmented({ ...this.segment("room", "Show"), options: ROOM_OPTIONS, value: this.room ? "room" : "wire", choose: (what) => this.change({ room: what === "room" }) })}
-            ${segmented({ ...this.segment("ground", "On"), options: kind === "picture" ? GROUNDS : GROUNDS.slice(0, 2), value: this.behind, choose: (ground) => this.change({ ground: ground as Ground }) })}
+            ${segmented({ ...this.segment("room", msg("Show")), options: ROOM_OPTIONS, value: this.room ? "room" : "wire", choose: (what) => this.change({ room: what === "room" }) })}
+            ${segmented({ ...this.segment("ground", msg("On")), options: kind === "picture" ? GROUNDS : GROUNDS.slice(0, 2), value: this.behind, choose: (ground) => this.change({ ground: ground as Ground }) })}
           </div>
           <div class="pair">
-            ${this.field("Look", LOOK_NAMES.map((name) => [name, LOOK_WORDS[name]]), this.look, (look) => this.change({ look: look as LookName }))}
-            ${kind === "picture" ? this.field("Seen from", this.vantages, this.from, (from) => this.change({ from: from as ViewName })) : this.formats()}
+            ${this.field(msg("Look"), LOOK_NAMES.map((name) => [name, LOOK_WORDS[name]]), this.look, (look) => this.change({ look: look as LookName }))}
+            ${kind === "picture" ? this.field(msg("Seen from"), this.vantages, this.from, (from) => this.change({ from: from as ViewName })) : this.formats()}
           </div>
         </div>
       </div>
@@ -108,7 +110,7 @@ export class FilmDialog extends LitElement {
           ${busy ? this.course() : nothing}
         </div>
         ${busy && kind !== "picture"
-          ? html`<button id="cancel" @click=${() => this.filmer.giveUp()}>${icons.stop} Cancel</button>`
+          ? html`<button id="cancel" @click=${() => this.filmer.giveUp()}>${icons.stop} ${msg("Cancel")}</button>`
           : html`<button id="make" class="primary" ?disabled=${busy || (kind !== "picture" && !this.choice)} @click=${() => void this.make()}>${icons.download} ${KINDS[kind].button}</button>`}
       </footer>
     </dialog>`;
@@ -188,7 +190,7 @@ export class FilmDialog extends LitElement {
   private course() {
     const { progress } = this;
     const { done = 0, frames = 1, msLeft = 0 } = progress ?? {};
-    const words = progress ? `Frame ${done} of ${frames}, ${timeLeft(Math.ceil(msLeft / 1000))}` : "";
+    const words = progress ? msg(str`Frame ${done} of ${frames}, ${timeLeft(Math.ceil(msLeft / 1000))}`) : "";
     return html`<p id="course" class="small quiet">${words}</p>
       <div class="bar" role="progressbar" aria-labelledby="course" aria-valuenow=${Math.round((100 * done) / frames)}><i></i></div>`;
   }
@@ -196,11 +198,11 @@ export class FilmDialog extends LitElement {
   /** What is being made, or would be. */
   private get summary(): string {
     const { kind, choice } = this;
-    if (this.busy) return kind === "picture" ? "Drawing the picture." : "Making the film.";
+    if (this.busy) return kind === "picture" ? msg("Drawing the picture.") : msg("Making the film.");
     const { width, height } = this.madeSize;
-    const pixels = `${width} × ${height} pixels`;
-    if (kind === "picture") return `${pixels}, PNG`;
-    return choice ? `${pixels}, ${secondsOf(kind)} seconds. ${formatWords(choice, this.asGif)}` : "";
+    const pixels = msg(str`${width} × ${height} pixels`);
+    if (kind === "picture") return msg(str`${pixels}, PNG`);
+    return choice ? msg(str`${pixels}, ${secondsOf(kind)} seconds. ${formatWords(choice, this.asGif)}`) : "";
   }
 
   private get kinds() {
@@ -208,7 +210,7 @@ export class FilmDialog extends LitElement {
   }
 
   private get vantages(): (readonly [string, string])[] {
-    return [...(this.scenery.pose ? [["stage", "As on the stage"] as const] : []), ...this.scenery.views.map((view) => [view, view] as const)];
+    return [...(this.scenery.pose ? [["stage", msg("As on the stage")] as const] : []), ...this.scenery.views.map((view) => [view, viewWords(view)] as const)];
   }
 
   private segment(name: string, legend: string) {
@@ -227,13 +229,13 @@ export class FilmDialog extends LitElement {
     if (!this.best || this.best.format === "gif") return nothing;
     const { format } = this.best;
     const options = [{ value: format, words: format === "mp4" ? "MP4" : "WebM" }, { value: "gif", words: "GIF" }];
-    return segmented({ ...this.segment("format", "As"), options, value: this.asGif ? "gif" : format, choose: (as) => this.change({ asGif: as === "gif" }) });
+    return segmented({ ...this.segment("format", msg("As")), options, value: this.asGif ? "gif" : format, choose: (as) => this.change({ asGif: as === "gif" }) });
   }
 
   private sides() {
     const field = (name: "width" | "height") => html`<input
       type="number"
-      aria-label=${`${name === "width" ? "Width" : "Height"} in pixels`}
+      aria-label=${msg(str`${name === "width" ? msg("Width") : msg("Height")} in pixels`)}
       min=${LEAST_PX}
       max=${MOST_PX}
       ?disabled=${this.busy}
@@ -253,14 +255,14 @@ export class FilmDialog extends LitElement {
     try {
       const made = kind === "picture" || !choice ? await this.carrying(await this.filmer.still({ ...this.still, size })) : await this.filmer.film({ film: kind, size, choice }, (progress) => (this.progress = progress));
       const name = this.save(made, `${KINDS[kind].ending}.${kind === "picture" || !choice ? "png" : choice.format}`);
-      this.said = `Saved ${name}, ${sizeWords(made.size)}`;
+      this.said = msg(str`Saved ${name}, ${sizeWords(made.size)}`);
     } catch (error) {
       if (error instanceof GivenUp) {
-        this.said = "Cancelled. Nothing was saved.";
+        this.said = msg("Cancelled. Nothing was saved.");
       } else {
         console.error(error);
-        const instead = kind === "picture" ? "A smaller size may do." : choice?.format === "gif" ? "A smaller size, or a picture, may do." : "A smaller size, or a GIF, may do.";
-        this.problem = `It could not be made: ${(error as Error).message}. Nothing is lost. ${instead}`;
+        const instead = kind === "picture" ? msg("A smaller size may do.") : choice?.format === "gif" ? msg("A smaller size, or a picture, may do.") : msg("A smaller size, or a GIF, may do.");
+        this.problem = msg(str`It could not be made: ${(error as Error).message}. Nothing is lost. ${instead}`);
       }
     }
     this.busy = false;
@@ -283,6 +285,6 @@ export class FilmDialog extends LitElement {
   };
 }
 
-const SHAPE_OPTIONS = [...Object.entries(SHAPES).map(([value, { words, width, height }]) => ({ value, words, title: `${width} × ${height}` })), { value: "custom", words: "Other" }];
-const ROOM_OPTIONS = [{ value: "room", words: "Room" }, { value: "wire", words: "Wire" }];
-const GROUNDS = [{ value: "light", words: "Light" }, { value: "dark", words: "Dark" }, { value: "clear", words: "Clear" }];
+const SHAPE_OPTIONS = [...Object.entries(SHAPES).map(([value, { words, width, height }]) => ({ value, words, title: `${width} × ${height}` })), { value: "custom", words: msg("Other") }];
+const ROOM_OPTIONS = [{ value: "room", words: msg("Room") }, { value: "wire", words: msg("Wire") }];
+const GROUNDS = [{ value: "light", words: msg("Light") }, { value: "dark", words: msg("Dark") }, { value: "clear", words: msg("Clear") }];

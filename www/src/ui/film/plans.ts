@@ -1,6 +1,8 @@
 /** What people can choose of a picture or a film, and what its file is called. */
 
+import { msg, str } from "@lit/localize";
 import type { Size } from "#sculpture/film/darkroom";
+import { decimal } from "../../words/numbers";
 import type { FilmName } from "../../film/orders";
 
 export type Kind = "picture" | FilmName;
@@ -14,18 +16,18 @@ export interface Kinds {
 }
 
 export const KINDS: Readonly<Record<Kind, Kinds>> = {
-  picture: { words: "Picture", ending: "", button: "Save the picture" },
-  turntable: { words: "Once round", ending: "-turning", button: "Make the film" },
-  found: { words: "How it was found", ending: "-found", button: "Make the film" },
+  picture: { words: msg("Picture"), ending: "", button: msg("Save the picture") },
+  turntable: { words: msg("Once round"), ending: "-turning", button: msg("Make the film") },
+  found: { words: msg("How it was found"), ending: "-found", button: msg("Make the film") },
 };
 
 export type Shape = "square" | "story" | "wide" | "custom";
 
 /** Sizes that posts have, pixels. */
 export const SHAPES: Readonly<Record<Exclude<Shape, "custom">, Size & { readonly words: string }>> = {
-  square: { words: "Square", width: 1080, height: 1080 },
-  story: { words: "Story", width: 1080, height: 1920 },
-  wide: { words: "Wide", width: 1920, height: 1080 },
+  square: { words: msg("Square"), width: 1080, height: 1080 },
+  story: { words: msg("Story"), width: 1080, height: 1920 },
+  wide: { words: msg("Wide"), width: 1920, height: 1080 },
 };
 
 export const LEAST_PX = 64;
@@ -38,5 +40,5 @@ export function side(typed: number, before: number): number {
 
 /** "2.1 MB" */
 export function sizeWords(bytes: number): string {
-  return bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+  return bytes < 1e6 ? msg(str`${Math.max(1, Math.round(bytes / 1e3))} kB`) : msg(str`${decimal(bytes / 1e6, 1)} MB`);
 }

@@ -2,8 +2,7 @@ import { msg, str } from "@lit/localize";
 import { html, nothing, svg } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { lookAt, useTool } from "../../state/actions/actions";
-import { count } from "../../state/common/count";
-import { percent } from "../../state/common/words";
+import { count, counted, percent } from "../../words/numbers";
 import type { Insight, RunEvent, TermPull } from "../../engine/protocol";
 import type { StudioState } from "../../state/studio";
 import { eventWords } from "../../view/event-words";
@@ -129,7 +128,7 @@ export class GlassPanel extends Part {
     return html`<section aria-labelledby="happened">
       <h3 id="happened">${msg("What happened")}</h3>
       <ol class="events">
-        ${events.map((event) => html`<li><button class="plain" @click=${() => this.lookBack(event)}>${event.iteration === 1 ? msg("After 1 step") : msg(str`After ${count(event.iteration)} steps`)}: ${eventWords(event)}</button></li>`)}
+        ${events.map((event) => html`<li><button class="plain" @click=${() => this.lookBack(event)}>${counted(event.iteration, msg("After 1 step"), msg(str`After ${count(event.iteration)} steps`))}: ${eventWords(event)}</button></li>`)}
       </ol>
     </section>`;
   }

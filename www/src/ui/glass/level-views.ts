@@ -2,7 +2,7 @@ import { msg, str } from "@lit/localize";
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Insight, LossLevel } from "../../engine/protocol";
-import { percent } from "../../state/common/words";
+import { percent } from "../../words/numbers";
 import { viewWords } from "../../view/heading";
 import { Part } from "../../view/part";
 import { segmented, segmentedStyle } from "../shared/segmented";

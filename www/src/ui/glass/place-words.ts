@@ -2,8 +2,7 @@
 
 import { msg, str } from "@lit/localize";
 import type { View } from "../../engine/protocol";
-import { count } from "../../state/common/count";
-import { percent } from "../../state/common/words";
+import { count, decimal, percent } from "../../words/numbers";
 import { radiusInDiameters, type Profile } from "../../view/profile";
 
 /** Bends wider than that, radius in diameters, are as good as straight. */
@@ -43,4 +42,4 @@ export function placeWords(profile: Profile, at: number, views: readonly View[])
 }
 
 /** Two digits that count. */
-const figure = (value: number): string => (value < 0.05 ? "0" : value >= 10 ? count(Math.round(value)) : value.toFixed(1));
+const figure = (value: number): string => (value < 0.05 ? "0" : value >= 10 ? count(Math.round(value)) : decimal(value, 1));

@@ -2,7 +2,7 @@ import { msg, str } from "@lit/localize";
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { compareWith } from "../../state/actions/actions";
-import { count } from "../../state/common/count";
+import { count, decimal } from "../../words/numbers";
 import { variantOf, type Variant } from "../../state/keeping/track";
 import { changesOf, type Change } from "../../state/run/variants";
 import { deskOf, tableOf, type Made, type Studio, type StudioState } from "../../state/studio";
@@ -67,7 +67,7 @@ export class WhatIf extends Part {
     const share = (value: number | undefined): string => (value === undefined ? "–" : shareWords(value));
     const rows: readonly PairRow[] = [
       [msg("Match"), (made) => matchWords(made, views)],
-      [msg("Length"), ({ finished }) => finished.measures.length.toFixed(1)],
+      [msg("Length"), ({ finished }) => decimal(finished.measures.length, 1)],
       [msg("Tight bends"), ({ finished }) => share(finished.measures.tight_share)],
       [msg("Through itself"), ({ finished }) => share(finished.measures.penetrating_share)],
       [msg("Pieces"), ({ finished }) => count(finished.measures.components)],

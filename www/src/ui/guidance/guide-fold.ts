@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { Studio, StudioState } from "../../state/studio";
@@ -18,7 +19,7 @@ export class GuideFold extends Part {
 
   override render() {
     return html`<details @toggle=${this.fetch}>
-      <summary>Guide by words <span class="small quiet">experimental</span> ${icons.more}</summary>
+      <summary>${msg("Guide by words")} <span class="small quiet">${msg("experimental")}</span> ${icons.more}</summary>
       ${this.ready ? html`<guide-panel class="group" .studio=${this.studio} .state=${this.state} ?locked=${this.locked}></guide-panel>` : nothing}
     </details>`;
   }

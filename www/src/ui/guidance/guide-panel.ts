@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { DENOISER, ICONS, USUAL_WEIGHT, type Guide } from "../../engine/protocol";
@@ -6,6 +7,8 @@ import { size } from "../../guidance/fault";
 import { suggested, takenFor } from "../../guidance/icon-words";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { Part } from "../../view/part";
+import { viewWords } from "../../view/heading";
+import { localeTag } from "../../words/language";
 import { segmented, segmentedStyle } from "../shared/segmented";
 import { controls } from "../shared/shared";
 import "./model-shelf";
@@ -14,7 +17,7 @@ import type { Facts } from "./model-shelf";
 const WEIGHTS = { most: 3, step: 0.1 } as const;
 /** The paper's, for patches; and what a diffusion model takes. */
 const [OF_PATCHES, OF_DIFFUSION] = [0.5, 1];
-const NEUTRAL = "a wire";
+const NEUTRAL = msg("a wire");
 
 /** Whether words are those of the table that comes with the page. */
 const isOurs = (by: string): boolean => by === ICONS || by === DENOISER;
@@ -78,16 +81,16 @@ export class GuidePanel extends Part {
 
   override render() {
     const { guide, views } = this;
-    if (views.length === 0) return html`<p class="small quiet">Words guide wires that have pictures to be like. Look at Three views or One picture.</p>`;
+    if (views.length === 0) return html`<p class="small quiet">${msg("Words guide wires that have pictures to be like. Look at Three views or One picture.")}</p>`;
     return html`
-      <p class="small quiet">A word pulls the wire besides the picture${views.length > 1 ? ", or alone where nothing is drawn," : ""} towards what a network thinks the word looks like. That is an experiment: it can be wrong, and it takes longer.</p>
+      <p class="small quiet">A word pulls the wire besides the picture${views.length > 1 ? msg(", or alone where nothing is drawn,") : ""} towards what a network thinks the word looks like. That is an experiment: it can be wrong, and it takes longer.</p>
       <div class="words">
         ${views.map((view) => this.word(view))}
         <datalist id="meant">${this.meant.map((word) => html`<option value=${word}></option>`)}</datalist>
       </div>
       ${views.length === 1 ? this.turned() : nothing}
       <label class="strength">
-        How strongly <output>${guide?.weight ?? USUAL_WEIGHT}</output>
+        ${msg("How strongly")} <output>${guide?.weight ?? USUAL_WEIGHT}</output>
         <input
           type="range"
           min="0"
@@ -113,14 +116,14 @@ export class GuidePanel extends Part {
   private word(view: string) {
     const unknown = this.unknown[view];
     return html`<label class="word">
-        ${view.charAt(0).toUpperCase() + view.slice(1)}
+        ${viewWords(view).charAt(0).toLocaleUpperCase(localeTag()) + viewWords(view).slice(1)}
         <input
           type="text"
           list="meant"
           maxlength="60"
           autocomplete="off"
           spellcheck="false"
-          placeholder="a word, or nothing"
+          placeholder=${msg("a word, or nothing")}
           .value=${this.guide?.words[view] ?? ""}
           ?disabled=${this.locked}
           aria-describedby=${unknown ? `unknown-${view}` : nothing}
@@ -137,9 +140,9 @@ export class GuidePanel extends Part {
     const diffuses = this.diffuses(by);
     return html`<label class="turned">
         <input type="checkbox" .checked=${likePicture && !diffuses} ?disabled=${this.locked || diffuses} @change=${(event: Event) => this.studio.options.guideBy({ likePicture: (event.target as HTMLInputElement).checked })} />
-        Turned views are to be like the picture
+        ${msg("Turned views are to be like the picture")}
       </label>
-      <p class="small quiet">${diffuses ? "A diffusion model compares no pictures: choose networks that do." : "As the networks below see both. Without a word, too."}</p>`;
+      <p class="small quiet">${diffuses ? msg("A diffusion model compares no pictures: choose networks that do.") : msg("As the networks below see both. Without a word, too.")}</p>`;
   }
 
   /** The networks there are, and what each is. */
@@ -147,16 +150,16 @@ export class GuidePanel extends Part {
     const by = this.guide?.by ?? ICONS;
     return html`<div class="by">
       <label>
-        Whose idea of the words counts
+        ${msg("Whose idea of the words counts")}
         <select ?disabled=${this.locked} @change=${(event: Event) => this.choose({ by: (event.target as HTMLSelectElement).value })}>
-          <option value=${ICONS} .selected=${by === ICONS}>Small networks that know icons</option>
-          ${DENOISER_FILES ? html`<option value=${DENOISER} .selected=${by === DENOISER}>A small diffusion model of ours</option>` : nothing}
+          <option value=${ICONS} .selected=${by === ICONS}>${msg("Small networks that know icons")}</option>
+          ${DENOISER_FILES ? html`<option value=${DENOISER} .selected=${by === DENOISER}>${msg("A small diffusion model of ours")}</option>` : nothing}
           ${this.models.map(({ sha256, name }) => html`<option value=${sha256} .selected=${sha256 === by}>${name}</option>`)}
         </select>
       </label>
       ${this.about(by)}
       <details>
-        <summary class="small">A network of your own</summary>
+        <summary class="small">${msg("A network of your own")}</summary>
         <model-shelf .engine=${this.studio.bench.engine} .prefer=${this.state.where.place?.backend === "gpu" ? "webgpu" : "wasm"} @models=${this.hear}></model-shelf>
       </details>
     </div>`;
@@ -166,31 +169,29 @@ export class GuidePanel extends Part {
   private about(by: string) {
     if (by === ICONS) {
       return html`<p class="small quiet">
-        Two networks of ours, trained on icons: with their words and a runtime about 7 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they
-        were trained on is MIT, ISC, Apache-2.0 or CC0.
+        ${msg("Two networks of ours, trained on icons: with their words and a runtime about 7 MB, fetched when you press Run. They know nothing of photographs, and not every word. Licence: as this page; what they were trained on is MIT, ISC, Apache-2.0 or CC0.")}
       </p>`;
     }
     if (by === DENOISER && DENOISER_FILES) {
       return html`<p class="small quiet">
-        It says what it would take from a noisy picture for that to show the word, and the wire follows. Trained by us on the same icons: ${size(DENOISER_FILES.bytes)} besides words and runtime (about 7 MB), fetched
-        when you press Run; it runs on the processor. Licence: as this page.
+        ${msg(str`It says what it would take from a noisy picture for that to show the word, and the wire follows. Trained by us on the same icons: ${size(DENOISER_FILES.bytes)} besides words and runtime (about 7 MB), fetched when you press Run; it runs on the processor. Licence: as this page.`)}
       </p>`;
     }
     const model = this.models.find(({ sha256 }) => sha256 === by);
-    const what = model ? `${size(model.bytes)}, and about ${size(model.memory)} of memory.` : "It is not here any more: open its files again.";
-    if (model?.kind === "eps-v1") return html`<p class="small quiet">A diffusion model of your own: ${what} Where it sees no pixels, open its encoder, too.</p>`;
-    return html`<p class="small quiet">A network of your own: ${what}</p>
+    const what = model ? msg(str`${size(model.bytes)}, and about ${size(model.memory)} of memory.`) : msg("It is not here any more: open its files again.");
+    if (model?.kind === "eps-v1") return html`<p class="small quiet">${msg(str`A diffusion model of your own: ${what} Where it sees no pixels, open its encoder, too.`)}</p>`;
+    return html`<p class="small quiet">${msg(str`A network of your own: ${what}`)}</p>
       ${this.look()}`;
   }
 
   private look() {
     const { look = "views", neutral = "" } = this.guide ?? {};
     return html`${segmented({
-      legend: "How it looks",
+      legend: msg("How it looks"),
       name: "look",
       options: [
-        { value: "views", words: "At whole views" },
-        { value: "patches", words: "At patches" },
+        { value: "views", words: msg("At whole views") },
+        { value: "patches", words: msg("At patches") },
       ],
       value: look,
       locked: this.locked,
@@ -198,10 +199,10 @@ export class GuidePanel extends Part {
     })}
     ${look === "patches"
       ? html`<label>
-            Neutral words
-            <input type="text" maxlength="60" autocomplete="off" .value=${neutral} placeholder="none" ?disabled=${this.locked} aria-describedby="neutral" @change=${(event: Event) => this.studio.options.guideBy({ neutral: (event.target as HTMLInputElement).value.trim() })} />
+            ${msg("Neutral words")}
+            <input type="text" maxlength="60" autocomplete="off" .value=${neutral} placeholder=${msg("none")} ?disabled=${this.locked} aria-describedby="neutral" @change=${(event: Event) => this.studio.options.guideBy({ neutral: (event.target as HTMLInputElement).value.trim() })} />
           </label>
-          <p class="small quiet" id="neutral">Sixteen patches of each view depart from the first wire as the view’s words differ from these: finer, and slower. With none, each patch is to be like the words.</p>`
+          <p class="small quiet" id="neutral">${msg("Sixteen patches of each view depart from the first wire as the view’s words differ from these: finer, and slower. With none, each patch is to be like the words.")}</p>`
       : nothing}`;
   }
 

@@ -1,10 +1,11 @@
+import { msg, str } from "@lit/localize";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { EngineClient } from "../../engine/client";
 import type { CallName, Calls } from "../../engine/protocol";
 import { size } from "../../guidance/fault";
-import { count } from "../../state/common/count";
-import { explain, percent } from "../../state/common/words";
+import { count, percent } from "../../words/numbers";
+import { explain } from "../../words/sentences";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
@@ -16,14 +17,14 @@ type Source = Calls["openGuidance"]["arguments"]["from"];
 type Provider = Opened["provider"];
 
 const KINDS: Readonly<Record<Facts["kind"], string>> = {
-  "guidance-v1": "Tells how like words a picture is",
-  "text-v1": "Reads words",
-  "vjp-v1": "Sees pictures as a diffusion model does",
-  "eps-v1": "Tells a diffusion model’s noise",
-  "mask-v1": "Finds the object in a picture",
-  "depth-v1": "Guesses how far away things are",
+  "guidance-v1": msg("Tells how like words a picture is"),
+  "text-v1": msg("Reads words"),
+  "vjp-v1": msg("Sees pictures as a diffusion model does"),
+  "eps-v1": msg("Tells a diffusion model’s noise"),
+  "mask-v1": msg("Finds the object in a picture"),
+  "depth-v1": msg("Guesses how far away things are"),
 };
-const PROVIDERS: Readonly<Record<Provider, string>> = { webgpu: "on the graphics card", wasm: "on the processor" };
+const PROVIDERS: Readonly<Record<Provider, string>> = { webgpu: msg("on the graphics card"), wasm: msg("on the processor") };
 
 /** Models from files: what one is, before it is used; what is open; and what this browser keeps. Fires `models` with what is kept or open. */
 @customElement("model-shelf")
@@ -89,42 +90,42 @@ export class ModelShelf extends Part {
 
   override render() {
     const { chosen, kept, opening, problem } = this;
-    return html`<p class="small quiet">A model that judges pictures, or takes noise from them, from files on your device: its .onnx and .json, and the tokenizer or the contexts where there are some. Nothing is sent anywhere. tools/guidance makes such files.</p>
-      ${opening ? nothing : html`<button @click=${() => this.files.click()}>${icons.file} Choose a model…</button>`}
-      <input type="file" multiple accept=".onnx,.json" aria-label="Model files: .onnx and .json" hidden @change=${this.choose} />
+    return html`<p class="small quiet">${msg("A model that judges pictures, or takes noise from them, from files on your device: its .onnx and .json, and the tokenizer or the contexts where there are some. Nothing is sent anywhere. tools/guidance makes such files.")}</p>
+      ${opening ? nothing : html`<button @click=${() => this.files.click()}>${icons.file} ${msg("Choose a model…")}</button>`}
+      <input type="file" multiple accept=".onnx,.json" aria-label=${msg("Model files: .onnx and .json")} hidden @change=${this.choose} />
       ${chosen && !opening ? this.choice(chosen.from, chosen.facts) : nothing}
       <div role="status">${opening ? this.progress(opening) : this.opened.map((model) => this.ready(model))}</div>
-      ${this.opened.length && !opening ? html`<button class="plain" @click=${this.close}>Close it</button>` : nothing}
+      ${this.opened.length && !opening ? html`<button class="plain" @click=${this.close}>${msg("Close it")}</button>` : nothing}
       ${problem ? html`<p class="problem" role="alert">${problem}</p>` : nothing}
-      ${kept.length ? html`<h3>Kept in this browser</h3><ul>${kept.map((model) => this.row(model))}</ul>` : nothing}`;
+      ${kept.length ? html`<h3>${msg("Kept in this browser")}</h3><ul>${kept.map((model) => this.row(model))}</ul>` : nothing}`;
   }
 
   private facts(facts: Facts): TemplateResult {
     return html`<p><b>${facts.name}</b></p>
-      <p class="small">${KINDS[facts.kind]} · ${size(facts.bytes)}, and about ${size(facts.memory)} of memory while it is opened</p>
-      <p class="small quiet">Licence: ${facts.licence || "not said"}. From: ${facts.origin || "not said"}.</p>
-      ${facts.prompts.length ? html`<p class="small quiet">Prompts it knows: ${count(facts.prompts.length)}.</p>` : nothing}`;
+      <p class="small">${msg(str`${KINDS[facts.kind]} · ${size(facts.bytes)}, and about ${size(facts.memory)} of memory while it is opened`)}</p>
+      <p class="small quiet">${msg(str`Licence: ${facts.licence || msg("not said")}. From: ${facts.origin || msg("not said")}.`)}</p>
+      ${facts.prompts.length ? html`<p class="small quiet">${msg(str`Prompts it knows: ${count(facts.prompts.length)}.`)}</p>` : nothing}`;
   }
 
   private choice(from: Source, facts: Facts): TemplateResult {
     return html`<div>
       ${this.facts(facts)}
-      <label class="small"><input type="checkbox" .checked=${this.keep} @change=${(event: Event) => (this.keep = (event.target as HTMLInputElement).checked)} /> Keep it in this browser</label>
+      <label class="small"><input type="checkbox" .checked=${this.keep} @change=${(event: Event) => (this.keep = (event.target as HTMLInputElement).checked)} /> ${msg("Keep it in this browser")}</label>
       <div class="buttons">
-        <button class="primary" @click=${() => this.open(from, facts, this.keep)}>Open it</button>
-        <button class="plain" @click=${() => (this.chosen = null)}>Leave it</button>
+        <button class="primary" @click=${() => this.open(from, facts, this.keep)}>${msg("Open it")}</button>
+        <button class="plain" @click=${() => (this.chosen = null)}>${msg("Leave it")}</button>
       </div>
     </div>`;
   }
 
   private progress({ name, words, share }: NonNullable<ModelShelf["opening"]>): TemplateResult {
     return html`<p>${name}: ${words} ${share > 0 ? percent(share) : nothing}</p>
-      <progress aria-label="Opening ${name}" .value=${share > 0 ? share : null} max="1"></progress>
-      <button @click=${() => void this.asked("closeGuidance", {})}>${icons.stop} Cancel</button>`;
+      <progress aria-label=${msg(str`Opening ${name}`)} .value=${share > 0 ? share : null} max="1"></progress>
+      <button @click=${() => void this.asked("closeGuidance", {})}>${icons.stop} ${msg("Cancel")}</button>`;
   }
 
   private ready({ name, provider, note, unkept }: Opened): TemplateResult {
-    return html`<p>${name} is open ${PROVIDERS[provider]}.</p>
+    return html`<p>${msg(str`${name} is open ${PROVIDERS[provider]}.`)}</p>
       ${[note, unkept].map((said) => (said ? html`<p class="small quiet">${said}</p>` : nothing))}`;
   }
 
@@ -133,10 +134,10 @@ export class ModelShelf extends Part {
     const date = new Date(model.date).toLocaleDateString();
     return html`<li>
       ${this.facts(model)}
-      <p class="small quiet">Kept on ${date}.</p>
+      <p class="small quiet">${msg(str`Kept on ${date}.`)}</p>
       <div class="buttons">
-        <button ?disabled=${isOpen || this.opening !== null} aria-label="Open ${model.name}" @click=${() => this.open({ kept: model.sha256 }, model, false)}>Open</button>
-        <button class="plain" aria-label="Delete ${model.name}" @click=${() => this.list(model.sha256)}>${icons.clear} Delete</button>
+        <button ?disabled=${isOpen || this.opening !== null} aria-label=${msg(str`Open ${model.name}`)} @click=${() => this.open({ kept: model.sha256 }, model, false)}>${msg("Open")}</button>
+        <button class="plain" aria-label=${msg(str`Delete ${model.name}`)} @click=${() => this.list(model.sha256)}>${icons.clear} ${msg("Delete")}</button>
       </div>
     </li>`;
   }
@@ -193,7 +194,7 @@ export class ModelShelf extends Part {
     try {
       return await this.engine.call(call, given);
     } catch (error) {
-      this.problem = explain(error, "This");
+      this.problem = explain(error, msg("This"));
       return null;
     }
   }

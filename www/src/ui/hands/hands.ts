@@ -1,9 +1,10 @@
 /** The wire in hand: which control point is held, and what is done to it. */
 
+import { msg, str } from "@lit/localize";
 import type { WireShape } from "#sculpture/scene/shape";
 import type { WireEdit } from "../../engine/protocol";
 import { Store } from "../../state/common/store";
-import { explain } from "../../state/common/words";
+import { explain } from "../../words/sentences";
 import { deskOf, type Made, type Studio } from "../../state/studio";
 import { withDesk } from "../../state/keeping/document";
 import { pageColours } from "../../view/colours";
@@ -89,7 +90,7 @@ export class Hands {
       this.store.set({ said: say(strayed) });
     } catch (error) {
       this.takeUp();
-      bench.warn(explain(error, "The wire"));
+      bench.warn(explain(error, msg("The wire")));
     } finally {
       this.isBusy = false;
     }
@@ -153,7 +154,7 @@ export class Hands {
     const drop = (ended: PointerEvent): void => {
       if (ended.pointerId !== event.pointerId) return;
       stop.abort();
-      if (ended.type === "pointerup" && to !== from) void this.edit({ kind: "move", index, to }, `Move point ${index + 1}`);
+      if (ended.type === "pointerup" && to !== from) void this.edit({ kind: "move", index, to }, msg(str`Move point ${index + 1}`));
       else this.preview(index, from);
     };
     for (const end of ["pointerup", "pointercancel"] as const) this.stage.addEventListener(end, drop, { signal, capture: true });

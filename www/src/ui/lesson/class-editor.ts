@@ -7,6 +7,7 @@ import { writeAsked } from "../../state/lesson/asked";
 import { tableOf, type Studio, type StudioState } from "../../state/studio";
 import { lessonCalled, lessonIds, textsOf } from "../../state/teaching/shelf";
 import { Part } from "../../view/part";
+import { addressIn, LANGUAGES, type Language } from "../../words/languages";
 import { copied } from "../save/copied";
 import { wordsFor } from "../settings/setting-words";
 import { foldStyle } from "../shared/fold";
@@ -29,6 +30,7 @@ export class ClassEditor extends Part {
   @state() private lessons: readonly Listed[] = [];
   @state() private lesson = "";
   @state() private kiosk = false;
+  @state() private language: Language | "" = "";
   /** What is not simply shown, by name. */
   @state() private states: Readonly<Record<string, State>> = {};
   @query("#link") private field!: HTMLInputElement;
@@ -108,6 +110,13 @@ export class ClassEditor extends Part {
       ${this.lesson
         ? html`<label class="check"><input type="checkbox" .checked=${this.kiosk} @change=${(event: Event) => (this.kiosk = (event.target as HTMLInputElement).checked)} /> ${msg("For a stand: big buttons, begins anew when nobody is there")}</label>`
         : nothing}
+      <label class="lesson"
+        >${msg("Language")}
+        <select id="language" @change=${(event: Event) => (this.language = (event.target as HTMLSelectElement).value as Language | "")}>
+          <option value="">${msg("As each device has it")}</option>
+          ${Object.entries(LANGUAGES).map(([code, name]) => html`<option value=${code} lang=${code} .selected=${code === this.language}>${name}</option>`)}
+        </select></label
+      >
       <details open>
         <summary>${msg("Parts of the page")} ${icons.more}</summary>
         <div class="group">${PARTS.map((part) => this.row(part, partWords(part)))}</div>
@@ -154,7 +163,7 @@ export class ClassEditor extends Part {
     const listed = this.lessons.find(({ id }) => id === lesson);
     // A lesson brings settings of its own; those of another job are none of its business.
     const set = listed && listed.job !== this.state.doc.task ? "" : this.studio.saver.address("");
-    return forOthers(location.href) + writeAsked(set, { lesson: lesson || null, step: null, lock: names("locked"), hide: names("hidden"), kiosk: kiosk && lesson !== "" });
+    return addressIn(forOthers(location.href), this.language || null) + writeAsked(set, { lesson: lesson || null, step: null, lock: names("locked"), hide: names("hidden"), kiosk: kiosk && lesson !== "" });
   }
 
   private readonly copy = async (): Promise<void> => {

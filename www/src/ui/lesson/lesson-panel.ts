@@ -1,4 +1,4 @@
-import { LOCALE_STATUS_EVENT, msg, str } from "@lit/localize";
+import { msg, str } from "@lit/localize";
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { pause, run, step, stop } from "../../state/actions/actions";
@@ -55,16 +55,6 @@ export class LessonPanel extends Part {
       </nav>
       ${kiosk ? this.stand() : nothing}
     `;
-  }
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    addEventListener(LOCALE_STATUS_EVENT, this.speak);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    removeEventListener(LOCALE_STATUS_EVENT, this.speak);
   }
 
   protected override updated(changed: PropertyValues<this>): void {
@@ -169,8 +159,6 @@ export class LessonPanel extends Part {
   };
 
   private readonly leave = (): void => void this.studio.lessons?.leave();
-
-  private readonly speak = (): void => void this.studio.lessons?.speak(document.documentElement.lang);
 
   private go(at: number): void {
     this.studio.lessons?.go(at);

@@ -2,11 +2,13 @@ import { msg, str } from "@lit/localize";
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { explain } from "../../state/common/words";
+import { explain } from "../../words/sentences";
+import { counted } from "../../words/numbers";
 import { dialogHeadStyle, dialogStyle } from "../shared/dialog-style";
 import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 import { entriesIn, sorted, withMore, type Entry } from "./wall-entries";
+import { elementWords } from "../../words/element";
 
 const KEPT = "wire4d.wall";
 
@@ -170,7 +172,7 @@ export class WireWall extends LitElement {
   private entry({ name, code }: Entry, i: number) {
     const shown = name || msg(str`Wire ${i + 1}`);
     return html`<li>
-      <wire-sculpture code=${code} alt=${msg(str`The wire of ${shown}`)} views="front side top" camera-controls shadow></wire-sculpture>
+      <wire-sculpture code=${code} alt=${msg(str`The wire of ${shown}`)} views="front side top" labels=${JSON.stringify(elementWords())} camera-controls shadow></wire-sculpture>
       <div class="name">
         <b>${shown}</b>
         <button class="plain square" aria-label=${msg(str`Take down ${shown}`)} @click=${() => this.put(this.entries.filter((other) => other.code !== code))}>${icons.close}</button>
@@ -201,8 +203,8 @@ export class WireWall extends LitElement {
   /** True where anything came of it. */
   private take(text: string): boolean {
     const { entries, broken } = entriesIn(text);
-    const hung = entries.length === 1 ? msg("One wire hangs up.") : msg(str`${entries.length} wires hang up.`);
-    const left = broken === 0 ? "" : broken === 1 ? msg("One link is cut off or damaged: ask for it again.") : msg(str`${broken} links are cut off or damaged: ask for them again.`);
+    const hung = counted(entries.length, msg("One wire hangs up."), msg(str`${entries.length} wires hang up.`));
+    const left = broken === 0 ? "" : counted(broken, msg("One link is cut off or damaged: ask for it again."), msg(str`${broken} links are cut off or damaged: ask for them again.`));
     this.said = entries.length + broken === 0 ? msg("There is no wire in that. Paste the whole links.") : [entries.length ? hung : "", left].filter(Boolean).join(" ");
     if (entries.length === 0) return false;
     this.put(withMore(this.entries, entries));

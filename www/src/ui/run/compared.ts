@@ -2,8 +2,7 @@
 
 import { msg, str } from "@lit/localize";
 import type { Made } from "../../state/keeping/document";
-import { percent } from "../../state/common/words";
-import { count } from "../../state/common/count";
+import { count, counted, percent } from "../../words/numbers";
 import { match } from "../../view/likeness";
 
 /** Matches that differ by less look alike. */
@@ -23,21 +22,21 @@ export function matchWords(made: Made, views: number): string {
   return share === null ? "–" : percent(share);
 }
 
-export const shareWords = (share: number): string => (share > 0 && share < 0.01 ? "under 1%" : percent(share));
+export const shareWords = (share: number): string => (share > 0 && share < 0.01 ? msg("under 1%") : percent(share));
 
 export function compared(wire: Made, loose: Made, views: number): string {
   const [a, b] = [meanMatch(wire, views), meanMatch(loose, views)];
   const [pieces, strokes] = [wire.finished.measures.components, loose.finished.measures.components];
   const gap = gapOf(loose);
   const sentences = [
-    a === null || b === null ? "" : Math.abs(a - b) < ALIKE ? "Both match about as well." : `${a > b ? "The wire" : "Loose strokes"} match${a > b ? "es" : ""} better.`,
+    a === null || b === null ? "" : Math.abs(a - b) < ALIKE ? msg("Both match about as well.") : a > b ? msg("The wire matches better.") : msg("Loose strokes match better."),
     strokes > pieces
-      ? `Loose strokes fall into ${count(strokes)} pieces, the wire ${pieces === 1 ? "is one" : `into ${count(pieces)}`}.`
+      ? counted(pieces, msg(str`Loose strokes fall into ${count(strokes)} pieces, the wire is one.`), msg(str`Loose strokes fall into ${count(strokes)} pieces, the wire into ${count(pieces)}.`))
       : strokes === pieces
-        ? `Both are ${pieces === 1 ? "in one piece" : `in ${count(pieces)} pieces`}.`
+        ? counted(pieces, msg("Both are in one piece."), msg(str`Both are in ${count(pieces)} pieces.`))
         : "",
-    gap > 0.005 ? `To join them would take ${percent(gap)} more wire.` : "",
-    loose.stopped ? "The loose strokes were stopped early." : "",
+    gap > 0.005 ? msg(str`To join them would take ${percent(gap)} more wire.`) : "",
+    loose.stopped ? msg("The loose strokes were stopped early.") : "",
   ];
   return sentences.filter(Boolean).join(" ");
 }

@@ -1,8 +1,8 @@
 /** Numbers about a wire, in words. */
 
+import { msg } from "@lit/localize";
 import type { Made } from "../../state/studio";
-import { count } from "../../state/common/count";
-import { percent } from "../../state/common/words";
+import { count, decimal, percent } from "../../words/numbers";
 import type { Figure } from "../shared/page-task";
 
 /** What nobody knows yet. */
@@ -13,16 +13,16 @@ export function figuresOf(made: Made | null, forming: number): readonly Figure[]
   const measures = made?.finished.measures;
   const points = measures?.control_points ?? forming;
   return [
-    ["Pieces", measures ? count(measures.components) : DASH],
-    ["Length", measures ? measures.length.toFixed(1) : DASH],
-    ["Control points", points ? count(points) : DASH],
-    ["Over its lines", known(measures?.length_over_lines, (ratio) => `${ratio.toFixed(2)} ×`)],
-    ["Turning", known(measures?.turning_per_unit, (turning) => turning.toFixed(1))],
-    ["Kinks", known(measures?.kinks, count)],
-    ["Bent tightly", known(measures?.tight_share, percent)],
-    ["Touching", known(measures?.touching_share, percent)],
-    ["Within itself", known(measures?.penetrating_share, percent)],
-    ["Time", made?.seconds ? `${made.seconds.toFixed(1)} s` : DASH],
+    [msg("Pieces"), measures ? count(measures.components) : DASH],
+    [msg("Length"), measures ? decimal(measures.length, 1) : DASH],
+    [msg("Control points"), points ? count(points) : DASH],
+    [msg("Over its lines"), known(measures?.length_over_lines, (ratio) => `${decimal(ratio, 2)} ×`)],
+    [msg("Turning"), known(measures?.turning_per_unit, (turning) => decimal(turning, 1))],
+    [msg("Kinks"), known(measures?.kinks, count)],
+    [msg("Bent tightly"), known(measures?.tight_share, percent)],
+    [msg("Touching"), known(measures?.touching_share, percent)],
+    [msg("Within itself"), known(measures?.penetrating_share, percent)],
+    [msg("Time"), made?.seconds ? `${decimal(made.seconds, 1)} s` : DASH],
   ];
 }
 

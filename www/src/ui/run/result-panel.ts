@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { WireShape } from "#sculpture/scene/shape";
@@ -112,7 +113,7 @@ export class ResultPanel extends Part {
   private sentence(made: Made | null): string {
     const { notes, looking, running, doc, planned } = this.state;
     const { page, verdict } = this.task;
-    if (looking !== null) return "Looking back: numbers are for the finished wire.";
+    if (looking !== null) return msg("Looking back: numbers are for the finished wire.");
     if (running === doc.task) return notes.join(" ");
     if (planned) return (deskOf(doc).made ? page.planned?.made : page.planned?.none) ?? "";
     if (!made) return "";
@@ -127,7 +128,7 @@ export class ResultPanel extends Part {
       const press = (): void => void (this.marked = this.marked === fault ? null : fault);
       return html`<div class="wide">
         <dt>${FAULTS[fault]}</dt>
-        <dd class="fault ${fault}">${places ? html`<button title="Mark on the stage" aria-pressed=${String(this.marked === fault)} @click=${press}>${words}</button>` : words}</dd>
+        <dd class="fault ${fault}">${places ? html`<button title=${msg("Mark on the stage")} aria-pressed=${String(this.marked === fault)} @click=${press}>${words}</button>` : words}</dd>
       </div>`;
     });
   }

@@ -3,8 +3,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { pause, reset, run, step, stop } from "../../state/actions/actions";
 import { deskOf, showsExample, type Studio, type StudioState } from "../../state/studio";
-import { timeLeft } from "../../state/common/words";
-import { count } from "../../state/common/count";
+import { timeLeft } from "../../words/sentences";
+import { count } from "../../words/numbers";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
 import { deviceOf, paceOf, reasonOf } from "../settings/device-words";
@@ -28,8 +28,8 @@ export class RunPanel extends Part {
     const { phase, progress } = this.state;
     const percent = Math.round(100 * progress.share);
     return html`
-      <div class="buttons ${phase === "idle" ? "" : "going"}" role="group" aria-label="The run" tabindex="-1">${phase === "idle" ? this.idle() : this.going()}</div>
-      <div class="bar" role="progressbar" aria-label="Progress of the run" aria-valuenow=${percent} aria-valuetext="${percent}%"><i></i></div>
+      <div class="buttons ${phase === "idle" ? "" : "going"}" role="group" aria-label=${msg("The run")} tabindex="-1">${phase === "idle" ? this.idle() : this.going()}</div>
+      <div class="bar" role="progressbar" aria-label=${msg("Progress of the run")} aria-valuenow=${percent} aria-valuetext="${percent}%"><i></i></div>
       <p data-phase=${phase}>
         <span class="words">${this.words()}</span>
         <span class="left">${phase === "running" && progress.secondsLeft !== null ? timeLeft(progress.secondsLeft) : nothing}</span>
@@ -65,7 +65,7 @@ export class RunPanel extends Part {
     const example = showsExample(this.state);
     const { icon, instead, again } = page.own;
     return html`
-      <button class="primary" @click=${() => this.studio.act(run)}>${icons.run} ${this.remixes ? "Remix" : example && !planned && !restyled ? "Make it again" : page.run}</button>
+      <button class="primary" @click=${() => this.studio.act(run)}>${icons.run} ${this.remixes ? msg("Remix") : example && !planned && !restyled ? msg("Make it again") : page.run}</button>
       <button class="wide" @click=${() => this.dispatchEvent(new Event("own"))}>${icons[icon]} ${example || (isBlank(doc.given[doc.task]) && !deskOf(doc).guide) ? instead : again}</button>
     `;
   }
@@ -84,11 +84,11 @@ export class RunPanel extends Part {
       <button class="pause" ?disabled=${!studio.can(pause)} @click=${() => studio.act(pause)}>
         ${paused ? icons.run : icons.pause} <span>${pause.says!(state)}</span>
       </button>
-      <button class="pause stop" ?disabled=${!studio.can(stop)} aria-label=${stop.label} title="Stop and keep the best so far" @click=${this.stop}>
+      <button class="pause stop" ?disabled=${!studio.can(stop)} aria-label=${stop.label} title=${msg("Stop and keep the best so far")} @click=${this.stop}>
         ${icons.stop} <span>${stop.label}</span>
       </button>
-      <button ?disabled=${!studio.can(step)} aria-label=${step.label} title="One step, then pause" @click=${() => studio.act(step)}>${icons.step} <span>${step.label}</span></button>
-      <button ?disabled=${!studio.can(reset)} aria-label=${reset.label} title="Give the run up and go back to before it" @click=${() => studio.act(reset)}>
+      <button ?disabled=${!studio.can(step)} aria-label=${step.label} title=${msg("One step, then pause")} @click=${() => studio.act(step)}>${icons.step} <span>${step.label}</span></button>
+      <button ?disabled=${!studio.can(reset)} aria-label=${reset.label} title=${msg("Give the run up and go back to before it")} @click=${() => studio.act(reset)}>
         ${icons.reset} <span>${reset.label}</span>
       </button>
     `;
@@ -97,26 +97,26 @@ export class RunPanel extends Part {
   private words(): string {
     const { phase, running, comparing, doc } = this.state;
     if (phase === "idle") return this.wordsAtRest();
-    const words = phase === "finishing" ? "Keeping the best wire so far" : phase === "paused" ? "Paused" : this.state.progress.words;
+    const words = phase === "finishing" ? msg("Keeping the best wire so far") : phase === "paused" ? msg("Paused") : this.state.progress.words;
     if (running !== null && running !== doc.task) return `${this.named(running).page.tab}: ${words}`;
     if (comparing === null) return words;
-    return comparing === "loose" ? `Loose strokes, to compare: ${words}` : msg(str`Another wire, to lay beside: ${words}`);
+    return comparing === "loose" ? msg(str`Loose strokes, to compare: ${words}`) : msg(str`Another wire, to lay beside: ${words}`);
   }
 
   private wordsAtRest(): string {
     const { said, doc } = this.state;
     if (said) return said;
-    if (showsExample(this.state)) return "An example. Nothing leaves this device.";
-    if (this.remixes) return "Opened with what it was made of. Remix makes it again from that.";
+    if (showsExample(this.state)) return msg("An example. Nothing leaves this device.");
+    if (this.remixes) return msg("Opened with what it was made of. Remix makes it again from that.");
     const { suffices, words } = this.task;
     if (!suffices(doc.given[doc.task], deskOf(doc).guide)) return words.needs;
-    return "Ready. Nothing leaves this device.";
+    return msg("Ready. Nothing leaves this device.");
   }
 
   private steps(): string {
     const { phase, progress } = this.state;
     if ((phase !== "running" && phase !== "paused") || progress.iterations === 0) return "";
-    return `Step ${count(progress.iteration)} of ${count(progress.iterations)}`;
+    return msg(str`Step ${count(progress.iteration)} of ${count(progress.iterations)}`);
   }
 
   /** What computes the run, or will; why, for those who stay on it, and in the settings. */
@@ -125,7 +125,7 @@ export class RunPanel extends Part {
     const { place, refusal } = where;
     if (!place) return nothing;
     const name = deviceOf(place);
-    return html`<span class="device" data-backend=${place.backend} title="${name}. ${refusal || reasonOf(place)}">${phase === "idle" ? `Will use: ${name}` : name}</span>`;
+    return html`<span class="device" data-backend=${place.backend} title="${name}. ${refusal || reasonOf(place)}">${phase === "idle" ? msg(str`Will use: ${name}`) : name}</span>`;
   }
 
   /** It comes to lie where Run was: the second click of two is still meant for that. */

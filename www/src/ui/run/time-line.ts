@@ -1,9 +1,10 @@
+import { msg, str } from "@lit/localize";
 import { html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { RunEvent, Snapshot } from "../../engine/protocol";
 import { continueFrom, lookAt } from "../../state/actions/actions";
 import type { Studio, StudioState } from "../../state/studio";
-import { count } from "../../state/common/count";
+import { count } from "../../words/numbers";
 import { eventWords } from "../../view/event-words";
 import { Part } from "../../view/part";
 import { icons } from "../shared/icons";
@@ -26,28 +27,28 @@ export class TimeLine extends Part {
     const { track, looking } = this.state;
     const snapshots = track?.snapshots ?? [];
     if (!track || snapshots.length < 2) {
-      return html`<div class="all"><p class="hint small quiet">When a run is on, its way here shows: go back to any wire, and on from there.</p></div>`;
+      return html`<div class="all"><p class="hint small quiet">${msg("When a run is on, its way here shows: go back to any wire, and on from there.")}</p></div>`;
     }
     const at = looking ?? snapshots.length - 1;
     const { iteration } = snapshots[at]!;
-    const words = `Step ${count(iteration)} of ${count(track.iterations)}`;
+    const words = msg(str`Step ${count(iteration)} of ${count(track.iterations)}`);
     return html`<div class="all">
       <button
         class="play square"
-        aria-label=${this.playing ? "Stop watching" : "Watch it form"}
-        title=${this.playing ? "Stop watching" : "Watch it form"}
+        aria-label=${this.playing ? msg("Stop watching") : msg("Watch it form")}
+        title=${this.playing ? msg("Stop watching") : msg("Watch it form")}
         @click=${() => (this.playing ? this.rest() : this.play())}
       >
         ${this.playing ? icons.pause : icons.run}
       </button>
-      <span class="label">${looking === null ? "The newest wire, " : "Looking back at "}<b>${words.charAt(0).toLowerCase()}${words.slice(1)}</b></span>
+      <span class="label">${looking === null ? msg("The newest wire,") : msg("Looking back at")} <b>${msg(str`step ${count(iteration)} of ${count(track.iterations)}`)}</b></span>
       <div class="way">
-        <ul class="marks" aria-label="What happened">
+        <ul class="marks" aria-label=${msg("What happened")}>
           ${track.events.map((event) => this.mark(event, track.iterations))}
         </ul>
         <input
           type="range"
-          aria-label="The run, wire by wire"
+          aria-label=${msg("The run, wire by wire")}
           aria-valuetext=${words}
           min="0"
           max=${track.iterations}
@@ -59,7 +60,7 @@ export class TimeLine extends Part {
       </div>
       <div class="acts">
         <button ?disabled=${looking === null || !this.studio.can(continueFrom)} @click=${() => looking !== null && this.studio.act(continueFrom, looking)}>${continueFrom.label}</button>
-        <button ?disabled=${looking === null} @click=${() => this.studio.act(lookAt, null)}>${icons.newest} Newest</button>
+        <button ?disabled=${looking === null} @click=${() => this.studio.act(lookAt, null)}>${icons.newest} ${msg("Newest")}</button>
       </div>
     </div>`;
   }
@@ -77,7 +78,7 @@ export class TimeLine extends Part {
   }
 
   private mark(event: RunEvent, iterations: number) {
-    const words = `${eventWords(event)}, at step ${count(event.iteration)}`;
+    const words = msg(str`${eventWords(event)}, at step ${count(event.iteration)}`);
     return html`<li class=${event.kind} data-at=${event.iteration / Math.max(1, iterations)} title=${words}><span class="unseen">${words}</span></li>`;
   }
 

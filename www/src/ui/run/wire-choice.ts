@@ -1,5 +1,6 @@
 /** How much of a wire the wire is: from one that follows every line of the pictures to a calm one. */
 
+import { msg } from "@lit/localize";
 import { nothing } from "lit";
 import { isHidden, isSettingLocked } from "../../state/common/locks";
 import type { Studio, StudioState } from "../../state/studio";
@@ -10,10 +11,10 @@ const SETTINGS = ["smooth", "smoothness"] as const;
 const LINES = "lines";
 /** Words and weight of bending, by choice. */
 const CHOICES: Readonly<Record<string, readonly [words: string, smoothness: string]>> = {
-  [LINES]: ["Every line", "1"],
-  close: ["Close", "0.3"],
-  even: ["Smooth", "1"],
-  calm: ["Calm", "4"],
+  [LINES]: [msg("Every line"), "1"],
+  close: [msg("Close"), "0.3"],
+  even: [msg("Smooth"), "1"],
+  calm: [msg("Calm"), "4"],
 };
 
 export function wireChoice(studio: Studio, state: StudioState) {
@@ -24,12 +25,12 @@ export function wireChoice(studio: Studio, state: StudioState) {
     .slice(1)
     .reduce((a, b) => (ratio(b, smoothness) < ratio(a, smoothness) ? b : a));
   return segmented({
-    legend: "Wire",
+    legend: msg("Wire"),
     name: "wire",
     options: Object.entries(CHOICES).map(([value, [words]]) => ({ value, words })),
     value: options.value("smooth") === "off" ? LINES : nearest,
     locked: state.phase !== "idle" || SETTINGS.some((name) => isSettingLocked(state, name)),
-    choose: (value) => options.setAll({ smooth: value === LINES ? "off" : "on", smoothness: CHOICES[value]![1] }, "Set the wire", "set wire"),
+    choose: (value) => options.setAll({ smooth: value === LINES ? "off" : "on", smoothness: CHOICES[value]![1] }, msg("Set the wire"), "set wire"),
   });
 }
 

@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { html, type PropertyValues } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Made } from "../../state/studio";
@@ -43,12 +44,12 @@ export class WirePair extends Part {
     return html`<table>
       <thead>
         <tr>
-          <th scope="col"><span class="unseen">What</span></th>
+          <th scope="col"><span class="unseen">${msg("What")}</span></th>
           ${this.names.map(([heading]) => html`<th scope="col">${heading}</th>`)}
         </tr>
       </thead>
       <tbody>
-        ${pictures("Front", "from the front")} ${pictures("Turned", "turned to the right and seen from above")}
+        ${pictures(msg("Front"), msg("from the front"))} ${pictures(msg("Turned"), msg("turned to the right and seen from above"))}
         ${this.rows.map(
           ([name, tell]) => html`<tr>
             <th scope="row">${name}</th>

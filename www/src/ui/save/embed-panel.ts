@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { LookName } from "#sculpture/scene/looks";
@@ -12,18 +13,18 @@ import { defineElement, siteFolder } from "./element-module";
 import { embedPanelStyle } from "./embed-panel-style";
 import { elementSnippet, iframeSnippet, isMetal, svgSnippet, type Showing, type Size } from "./snippets";
 
-const KINDS = { element: "Element", iframe: "Iframe", svg: "SVG", html: "One file" } as const;
+const KINDS = { element: msg("Element"), iframe: msg("Iframe"), svg: "SVG", html: msg("One file") } as const;
 type Kind = keyof typeof KINDS;
 const ABOUT: Readonly<Record<Kind, string>> = {
-  element: "A script and a tag. It can be styled and driven by your page.",
-  iframe: "For blogs and course pages that take no script.",
-  svg: "A still picture, sharp at any size. Save it beside your page.",
-  html: "The whole page as one HTML file: upload it anywhere, or open it from a disk.",
+  element: msg("A script and a tag. It can be styled and driven by your page."),
+  iframe: msg("For blogs and course pages that take no script."),
+  svg: msg("A still picture, sharp at any size. Save it beside your page."),
+  html: msg("The whole page as one HTML file: upload it anywhere, or open it from a disk."),
 };
 
-const LOOKS: Readonly<Record<LookName, string>> = { copper: "Copper", steel: "Steel", parameter: "Along it", width: "By width" };
+const LOOKS: Readonly<Record<LookName, string>> = { copper: msg("Copper"), steel: msg("Steel"), parameter: msg("Along it"), width: msg("By width") };
 const SIZES: Readonly<Record<string, Size & { readonly words: string }>> = {
-  fluid: { words: "Full width", width: null, height: 480 },
+  fluid: { words: msg("Full width"), width: null, height: 480 },
   medium: { words: "640 × 480", width: 640, height: 480 },
   square: { words: "360 × 360", width: 360, height: 360 },
 };
@@ -65,7 +66,7 @@ export class EmbedPanel extends LitElement {
       <div class="look">${this.preview()} ${this.choices()}</div>
       <div class="take">
         ${segmented({
-          legend: "As",
+          legend: msg("As"),
           name: "kind",
           options: Object.entries(KINDS).map(([value, words]) => ({ value, words })),
           value: this.kind,
@@ -74,14 +75,14 @@ export class EmbedPanel extends LitElement {
             this.copiedKind = null;
           },
         })}
-        <p class="small quiet">${ABOUT[this.kind]} <a href="./docs.html" target="_blank">All that it can do</a></p>
+        <p class="small quiet">${ABOUT[this.kind]} <a href="./docs.html" target="_blank">${msg("All that it can do")}</a></p>
         ${this.taking()}
       </div>
     `;
   }
 
   private preview() {
-    if (this.ready === false) return html`<p class="preview quiet">The preview could not be loaded. The snippets are right all the same.</p>`;
+    if (this.ready === false) return html`<p class="preview quiet">${msg("The preview could not be loaded. The snippets are right all the same.")}</p>`;
     const { look, color, room, turning, buttons } = this.showing;
     return html`<div class="preview">
       ${this.ready
@@ -104,7 +105,7 @@ export class EmbedPanel extends LitElement {
     const { look, color, room, turning, buttons } = this.showing;
     return html`<div class="choices">
       ${segmented({
-        legend: "Look",
+        legend: msg("Look"),
         name: "look",
         options: Object.entries(LOOKS).map(([value, words]) => ({ value, words })),
         value: look,
@@ -112,33 +113,33 @@ export class EmbedPanel extends LitElement {
       })}
       ${isMetal(look)
         ? html`<div class="colour">
-            <label><input type="checkbox" .checked=${color !== null} @change=${() => this.change({ color: color === null ? FIRST_COLOUR : null })} /> A colour of its own</label>
-            ${color === null ? nothing : html`<input type="color" aria-label="Colour of the wire" .value=${color} @input=${(event: Event) => this.change({ color: (event.target as HTMLInputElement).value })} />`}
+            <label><input type="checkbox" .checked=${color !== null} @change=${() => this.change({ color: color === null ? FIRST_COLOUR : null })} /> ${msg("A colour of its own")}</label>
+            ${color === null ? nothing : html`<input type="color" aria-label=${msg("Colour of the wire")} .value=${color} @input=${(event: Event) => this.change({ color: (event.target as HTMLInputElement).value })} />`}
           </div>`
         : nothing}
       ${segmented({
-        legend: "Size",
+        legend: msg("Size"),
         name: "size",
         options: Object.entries(SIZES).map(([value, { words }]) => ({ value, words })),
         value: this.size,
         choose: (size) => (this.size = size),
       })}
-      <label><input type="checkbox" .checked=${room} @change=${() => this.change({ room: !room })} /> Room with the shadows</label>
-      <label><input type="checkbox" .checked=${turning} @change=${() => this.change({ turning: !turning })} /> Turns by itself</label>
-      <label><input type="checkbox" .checked=${buttons} @change=${() => this.change({ buttons: !buttons })} /> Buttons for its views</label>
+      <label><input type="checkbox" .checked=${room} @change=${() => this.change({ room: !room })} /> ${msg("Room with the shadows")}</label>
+      <label><input type="checkbox" .checked=${turning} @change=${() => this.change({ turning: !turning })} /> ${msg("Turns by itself")}</label>
+      <label><input type="checkbox" .checked=${buttons} @change=${() => this.change({ buttons: !buttons })} /> ${msg("Buttons for its views")}</label>
     </div>`;
   }
 
   private taking() {
-    if (this.kind === "html") return html`<button class="primary" ?disabled=${this.busy} @click=${() => void this.save(this.page, ".html")}>${icons.download} Save the HTML file</button>`;
+    if (this.kind === "html") return html`<button class="primary" ?disabled=${this.busy} @click=${() => void this.save(this.page, ".html")}>${icons.download} ${msg("Save the HTML file")}</button>`;
     const done = this.copiedKind === this.kind;
     return html`
-      <pre tabindex="0" aria-label="Snippet"><code>${this.snippet}</code></pre>
+      <pre tabindex="0" aria-label=${msg("Snippet")}><code>${this.snippet}</code></pre>
       <div class="pair">
-        <button class="primary" @click=${() => void this.copy()}>${done ? icons.check : icons.link} ${done ? "Copied" : "Copy snippet"}</button>
+        <button class="primary" @click=${() => void this.copy()}>${done ? icons.check : icons.link} ${done ? msg("Copied") : msg("Copy snippet")}</button>
         ${this.kind === "svg"
-          ? html`<button ?disabled=${this.busy} @click=${() => void this.save(() => this.studio.saver.export("svg", this.seen), this.ending)}>${icons.download} Save the SVG</button>
-              <label class="of">of <select aria-label="View of the picture" @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
+          ? html`<button ?disabled=${this.busy} @click=${() => void this.save(() => this.studio.saver.export("svg", this.seen), this.ending)}>${icons.download} ${msg("Save the SVG")}</button>
+              <label class="of">${msg("of")} <select aria-label=${msg("View of the picture")} @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
                 ${this.views.map((name) => html`<option value=${name} .selected=${name === this.seen}>${viewWords(name)}</option>`)}
               </select></label>`
           : nothing}
@@ -170,7 +171,7 @@ export class EmbedPanel extends LitElement {
   private async copy(): Promise<void> {
     const done = await copied(this.snippet, this.shown!);
     this.copiedKind = done ? this.kind : null;
-    this.tell(done ? "Snippet copied" : "Copy the marked snippet with Ctrl or ⌘ and C");
+    this.tell(done ? msg("Snippet copied") : msg("Copy the marked snippet with Ctrl or ⌘ and C"));
   }
 
   private async save(make: () => Promise<Blob | null>, ending: string): Promise<void> {
@@ -178,10 +179,10 @@ export class EmbedPanel extends LitElement {
     try {
       const blob = await make();
       if (blob) download(blob, this.stem + ending);
-      this.tell(blob ? `Saved ${this.stem}${ending}` : "The file could not be made.");
+      this.tell(blob ? msg(str`Saved ${this.stem}${ending}`) : msg("The file could not be made."));
     } catch (error) {
       console.error(error);
-      this.tell("The file could not be made. Check the connection and try again.");
+      this.tell(msg("The file could not be made. Check the connection and try again."));
     }
     this.busy = false;
   }

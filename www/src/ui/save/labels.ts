@@ -3,8 +3,11 @@
 import { deskOf, type StudioState } from "../../state/studio";
 import type { PageTask } from "../shared/page-task";
 
-export function labelsOf({ doc }: StudioState, task: PageTask): readonly string[] {
+/** In the order in which it was given, empty where something has none. */
+export function givenLabels({ doc }: StudioState, task: PageTask): readonly string[] {
   const { made } = deskOf(doc);
   const given = made?.track?.given ?? (made?.source === "example" ? doc.given[doc.task] : task.blank);
-  return task.labels(given).filter(Boolean);
+  return task.labels(given);
 }
+
+export const labelsOf = (state: StudioState, task: PageTask): readonly string[] => givenLabels(state, task).filter(Boolean);

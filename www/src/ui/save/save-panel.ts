@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { ExportFormat } from "../../engine/protocol";
@@ -22,14 +23,14 @@ interface FileKind {
 }
 
 const FIRST: readonly FileKind[] = [
-  { format: "glb", name: "GLB", use: "For 3D viewers and AR" },
-  { format: "stl", name: "STL", use: "For 3D printing, 10 cm" },
+  { format: "glb", name: "GLB", use: msg("For 3D viewers and AR") },
+  { format: "stl", name: "STL", use: msg("For 3D printing, 10 cm") },
 ];
 const MORE: readonly FileKind[] = [
-  { format: "wire.json", name: "wire.json", use: "To open here again" },
-  { format: "obj", name: "OBJ", use: "For modelling programs" },
-  { format: "lines.svg", name: "Centre lines", use: "For pen plotters, SVG of the view above, 10 cm" },
-  { format: "bend.csv", name: "Bend list", use: "To bend it by hand, CSV" },
+  { format: "wire.json", name: "wire.json", use: msg("To open here again") },
+  { format: "obj", name: "OBJ", use: msg("For modelling programs") },
+  { format: "lines.svg", name: msg("Centre lines"), use: msg("For pen plotters, SVG of the view above, 10 cm") },
+  { format: "bend.csv", name: msg("Bend list"), use: msg("To bend it by hand, CSV") },
 ];
 
 /** The wire to take along: a link, or a file. */
@@ -55,34 +56,34 @@ export class SavePanel extends Part {
     const unshared = none || isLocked(this.state, "share");
     const { views, shown } = this;
     return html`
-      <h2>Save and share</h2>
+      <h2>${msg("Save and share")}</h2>
       <div class="links">
-        <button class="link" ?disabled=${unshared} @click=${() => void this.copyLink()}>${icons.link} Copy link</button>
-        <button class="more" ?disabled=${unshared} @click=${() => void this.share()}>QR, embed…</button>
+        <button class="link" ?disabled=${unshared} @click=${() => void this.copyLink()}>${icons.link} ${msg("Copy link")}</button>
+        <button class="more" ?disabled=${unshared} @click=${() => void this.share()}>${msg("QR, embed…")}</button>
       </div>
       ${this.byHand
-        ? html`<label class="small quiet" for="link">Copy it from here:</label><input id="link" type="text" readonly .value=${this.byHand} />`
+        ? html`<label class="small quiet" for="link">${msg("Copy it from here:")}</label><input id="link" type="text" readonly .value=${this.byHand} />`
         : nothing}
       <p class="small quiet">${this.carried()}</p>
       ${FIRST.map((kind) => this.file(kind, none))}
       <button class="file" ?disabled=${none || this.busy !== ""} @click=${() => void this.savePicture()}>
-        ${icons.camera}<span><b>PNG</b><span class="small quiet">A picture of the stage</span></span>
+        ${icons.camera}<span><b>${msg("PNG")}</b><span class="small quiet">${msg("A picture of the stage")}</span></span>
       </button>
       <button class="file" ?disabled=${none} @click=${() => this.film()}>
-        ${icons.pictures}<span><b>Pictures and films</b><span class="small quiet">To post: PNG, MP4, GIF</span></span>
+        ${icons.pictures}<span><b>${msg("Pictures and films")}</b><span class="small quiet">${msg("To post: PNG, MP4, GIF")}</span></span>
       </button>
       <div class="svg">
-        ${this.file({ format: "svg", name: "SVG", use: "Lines of one view" }, none)}
-        <select aria-label="View of the SVG" ?disabled=${none} @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
+        ${this.file({ format: "svg", name: "SVG", use: msg("Lines of one view") }, none)}
+        <select aria-label=${msg("View of the SVG")} ?disabled=${none} @change=${(event: Event) => (this.view = (event.target as HTMLSelectElement).value)}>
           ${views.map((name) => html`<option value=${name} .selected=${name === shown}>${viewWords(name)}</option>`)}
         </select>
       </div>
       <details>
-        <summary>More files ${icons.more}</summary>
+        <summary>${msg("More files")} ${icons.more}</summary>
         <div class="group">${MORE.map((kind) => this.file(kind, none))}</div>
       </details>
       ${this.state.keeping === "off"
-        ? html`<p class="small quiet">This browser keeps nothing between visits; save your wire to a file or link.</p>`
+        ? html`<p class="small quiet">${msg("This browser keeps nothing between visits; save your wire to a file or link.")}</p>`
         : nothing}
     `;
   }
@@ -100,8 +101,8 @@ export class SavePanel extends Part {
   private carried(): string {
     const { doc, planned } = this.state;
     const stays = this.task.stays?.(doc.given[doc.task]);
-    const last = planned && deskOf(doc).made ? "All of these are of the wire that was made last." : "";
-    return [last, "The link carries the whole wire; no server keeps it.", stays].filter(Boolean).join(" ");
+    const last = planned && deskOf(doc).made ? msg("All of these are of the wire that was made last.") : "";
+    return [last, msg("The link carries the whole wire; no server keeps it."), stays].filter(Boolean).join(" ");
   }
 
   async copyLink(): Promise<void> {
@@ -111,12 +112,12 @@ export class SavePanel extends Part {
     try {
       await navigator.clipboard.writeText(link);
       this.byHand = "";
-      this.studio.say("Link copied. It carries the whole wire.");
+      this.studio.say(msg("Link copied. It carries the whole wire."));
     } catch {
       this.byHand = link;
       await this.updateComplete;
       this.field?.select();
-      this.studio.say("The link is in the address bar, and here to copy.");
+      this.studio.say(msg("The link is in the address bar, and here to copy."));
     }
   }
 
@@ -160,7 +161,7 @@ export class SavePanel extends Part {
       this.keep(await this.picture(), ".png");
     } catch (error) {
       console.error(error);
-      this.studio.warn("The picture could not be taken. Nothing is lost; a screenshot of the page does it, too.");
+      this.studio.warn(msg("The picture could not be taken. Nothing is lost; a screenshot of the page does it, too."));
     }
     this.busy = "";
   }
@@ -169,7 +170,7 @@ export class SavePanel extends Part {
   keep(blob: Blob, ending: string): string {
     const name = fileStem(labelsOf(this.state, this.task)) + ending;
     download(blob, name);
-    this.studio.say(`Saved ${name}`);
+    this.studio.say(msg(str`Saved ${name}`));
     return name;
   }
 }

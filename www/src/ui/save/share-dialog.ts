@@ -1,5 +1,7 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
+import { count } from "../../words/numbers";
 import { deskOf, type Studio, type StudioState } from "../../state/studio";
 import { dialogStyle } from "../shared/dialog-style";
 import { icons } from "../shared/icons";
@@ -28,7 +30,7 @@ const QR_PX = 1480;
 
 const TABS = ["share", "embed"] as const;
 type Tab = (typeof TABS)[number];
-const TAB_WORDS: Readonly<Record<Tab, string>> = { share: "Share", embed: "Embed" };
+const TAB_WORDS: Readonly<Record<Tab, string>> = { share: msg("Share"), embed: msg("Embed") };
 
 /** The wire for others: a link, a QR code, a file, or a piece of one's own page. */
 @customElement("share-dialog")
@@ -52,9 +54,9 @@ export class ShareDialog extends LitElement {
     return html`<dialog aria-labelledby="title" @click=${this.clickedBeside}>
       <header>
         <h1 id="title">${this.now ? titleOf(this.labels) : nothing}</h1>
-        <button class="plain square" aria-label="Close" @click=${() => this.dialog.close()}>${icons.close}</button>
+        <button class="plain square" aria-label=${msg("Close")} @click=${() => this.dialog.close()}>${icons.close}</button>
       </header>
-      <div class="tabs" role="tablist" aria-label="How to share" @keydown=${(event: KeyboardEvent) => walkTabs(event, TABS, (tab) => (this.tab = tab))}>
+      <div class="tabs" role="tablist" aria-label=${msg("How to share")} @keydown=${(event: KeyboardEvent) => walkTabs(event, TABS, (tab) => (this.tab = tab))}>
         ${TABS.map(
           (tab) => html`<button
             role="tab"
@@ -98,13 +100,13 @@ export class ShareDialog extends LitElement {
   private sharing(link: string) {
     const code = qrOf(link);
     return html`
-      <p>Whoever opens this link gets the whole wire, to turn round and to go on with. No server keeps it.</p>
+      <p>${msg("Whoever opens this link gets the whole wire, to turn round and to go on with. No server keeps it.")}</p>
       ${this.longLink()}
       <div class="line">
-        <input id="link" type="text" readonly aria-label="The link" .value=${link} @focus=${(event: Event) => (event.target as HTMLInputElement).select()} />
-        <button class="primary" autofocus @click=${() => void this.copy()}>${this.done === COPIED ? icons.check : icons.link} ${this.done === COPIED ? "Copied" : "Copy link"}</button>
+        <input id="link" type="text" readonly aria-label=${msg("The link")} .value=${link} @focus=${(event: Event) => (event.target as HTMLInputElement).select()} />
+        <button class="primary" autofocus @click=${() => void this.copy()}>${this.done === COPIED ? icons.check : icons.link} ${this.done === COPIED ? msg("Copied") : msg("Copy link")}</button>
       </div>
-      ${"share" in navigator ? html`<button class="send" @click=${() => void this.send()}>${icons.share} Send it with…</button>` : nothing}
+      ${"share" in navigator ? html`<button class="send" @click=${() => void this.send()}>${icons.share} ${msg("Send it with…")}</button>` : nothing}
       <hr />
       <div class=${code ? "ways with-code" : "ways"}>${code ? this.code(code) : nothing} ${this.aboutCode(code, link)} ${this.files()}</div>
     `;
@@ -113,26 +115,26 @@ export class ShareDialog extends LitElement {
   private longLink() {
     const { simple, whole } = this;
     const long = whole.length > LONG_LINK;
-    if (!simple) return long ? html`<p class="note">${icons.warning} <span>This wire makes a link of ${figure(whole.length)} characters, and some programs cut those off. A file is safer.</span></p>` : nothing;
-    const words = `${figure(whole.length)} characters`;
+    if (!simple) return long ? html`<p class="note">${icons.warning} <span>${msg(str`This wire makes a link of ${count(whole.length)} characters, and some programs cut those off. A file is safer.`)}</span></p>` : nothing;
+    const words = msg(str`${count(whole.length)} characters`);
     const shorter = this.simpler!.length;
     return html`<div class="simpler">
       ${segmented({
-        legend: long ? "Some programs cut off links this long." : "The whole link is too long for a QR code.",
+        legend: long ? msg("Some programs cut off links this long.") : msg("The whole link is too long for a QR code."),
         name: "length",
         options: [
-          { value: "whole", words: `Whole, ${words}` },
-          { value: "simple", words: `Simplified, ${figure(shorter)}` },
+          { value: "whole", words: msg(str`Whole, ${words}`) },
+          { value: "simple", words: msg(str`Simplified, ${count(shorter)}`) },
         ],
         value: this.simplify ? "simple" : "whole",
         choose: (value) => (this.simplify = value === "simple"),
       })}
-      <p class="small quiet">Simplified, its lines move by ${px(simple.mean_px)} on average and by ${px(simple.most_px)} at most, seen 512 px wide.</p>
+      <p class="small quiet">${msg(str`Simplified, its lines move by ${px(simple.mean_px)} on average and by ${px(simple.most_px)} at most, seen 512 px wide.`)}</p>
     </div>`;
   }
 
   private code(code: QrCode) {
-    return html`<svg class="code" viewBox="0 0 ${code.side} ${code.side}" width=${wholeModules(code)} role="img" aria-label="QR code of the link" shape-rendering="crispEdges">
+    return html`<svg class="code" viewBox="0 0 ${code.side} ${code.side}" width=${wholeModules(code)} role="img" aria-label=${msg("QR code of the link")} shape-rendering="crispEdges">
       <path fill="#fff" d="M0 0h${code.side}v${code.side}H0z" />
       <path fill="#000" d=${code.path} />
     </svg>`;
@@ -140,25 +142,25 @@ export class ShareDialog extends LitElement {
 
   private aboutCode(code: QrCode | null, link: string) {
     return html`<section aria-labelledby="qr">
-      <h2 id="qr">QR code</h2>
+      <h2 id="qr">${msg("QR code")}</h2>
       ${code
-        ? html`<p class="small quiet">Point a phone's camera at it: it holds the whole wire.</p>
+        ? html`<p class="small quiet">${msg("Point a phone's camera at it: it holds the whole wire.")}</p>
             <div class="pair">
-              <button @click=${() => void this.keepCode(code, "png")}>${icons.download} PNG</button>
-              <button @click=${() => void this.keepCode(code, "svg")}>${icons.download} SVG</button>
+              <button @click=${() => void this.keepCode(code, "png")}>${icons.download} ${msg("PNG")}</button>
+              <button @click=${() => void this.keepCode(code, "svg")}>${icons.download} ${msg("SVG")}</button>
             </div>`
-        : html`<p class="small quiet">A code holds ${figure(MOST_IN_QR)} characters at most, and this link has ${figure(link.length)}.</p>`}
+        : html`<p class="small quiet">${msg(str`A code holds ${count(MOST_IN_QR)} characters at most, and this link has ${count(link.length)}.`)}</p>`}
     </section>`;
   }
 
   private files() {
     return html`<section aria-labelledby="files">
-      <h2 id="files">As a file</h2>
+      <h2 id="files">${msg("As a file")}</h2>
       <button class="file" ?disabled=${this.busy} @click=${() => void this.savePage()}>
-        ${icons.download}<span><b>Web page</b><span class="small quiet">One HTML file: shows it in 3D anywhere, without a network</span></span>
+        ${icons.download}<span><b>${msg("Web page")}</b><span class="small quiet">${msg("One HTML file: shows it in 3D anywhere, without a network")}</span></span>
       </button>
       <button class="file" ?disabled=${this.busy} @click=${() => void this.saveProject()}>
-        ${icons.file}<span><b>wire.json</b><span class="small quiet">To open here again and go on</span></span>
+        ${icons.file}<span><b>${msg("wire.json")}</b><span class="small quiet">${msg("To open here again and go on")}</span></span>
       </button>
     </section>`;
   }
@@ -198,16 +200,16 @@ export class ShareDialog extends LitElement {
 
   private async copy(): Promise<void> {
     if (await copied(this.link, this.field)) this.done = COPIED;
-    else this.done = "Copy the marked link with Ctrl or ⌘ and C";
+    else this.done = msg("Copy the marked link with Ctrl or ⌘ and C");
   }
 
   private async send(): Promise<void> {
     try {
       await navigator.share({ title: titleOf(this.labels), url: this.link });
-      this.done = "Sent";
+      this.done = msg("Sent");
     } catch (error) {
       // Whoever closes the sheet has changed their mind.
-      if ((error as DOMException).name !== "AbortError") this.done = "It could not be sent. Copy the link instead.";
+      if ((error as DOMException).name !== "AbortError") this.done = msg("It could not be sent. Copy the link instead.");
     }
   }
 
@@ -230,10 +232,10 @@ export class ShareDialog extends LitElement {
     try {
       const blob = await make();
       if (blob) this.keep(blob, ending);
-      else this.done = "The file could not be made.";
+      else this.done = msg("The file could not be made.");
     } catch (error) {
       console.error(error);
-      this.done = "The file could not be made. Check the connection and try again.";
+      this.done = msg("The file could not be made. Check the connection and try again.");
     }
     this.busy = false;
   }
@@ -246,7 +248,7 @@ export class ShareDialog extends LitElement {
   private keep(blob: Blob, ending: string): void {
     const name = fileStem(this.labels) + ending;
     download(blob, name);
-    this.done = `Saved ${name}`;
+    this.done = msg(str`Saved ${name}`);
   }
 
   private readonly tell = ({ detail }: CustomEvent<string>): void => void (this.done = detail);
@@ -256,8 +258,7 @@ export class ShareDialog extends LitElement {
   };
 }
 
-const COPIED = "Link copied. It carries the whole wire.";
+const COPIED = msg("Link copied. It carries the whole wire.");
 /** As wide as a code is shown: whole pixels a module. */
 const wholeModules = ({ side }: QrCode): number => side * Math.max(1, Math.round(SHOWN_PX / side));
-const figure = (count: number): string => count.toLocaleString("en");
 const px = (moved: number): string => `${moved.toFixed(1)} px`;

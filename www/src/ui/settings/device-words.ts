@@ -1,7 +1,8 @@
 /** Where a run is computed, in words. */
 
+import { msg, str } from "@lit/localize";
 import type { Place } from "../../engine/protocol";
-import { count } from "../../state/common/count";
+import { count, decimal } from "../../words/numbers";
 import { WORDS } from "./setting-words";
 
 /** "Graphics card · Apple M2"; a processor has no name that says more. */
@@ -12,11 +13,11 @@ export function deviceOf({ backend, device }: Place): string {
 
 /** "The processor does the work, as the settings ask. It uses 2 of its cores." */
 export function reasonOf({ why, workers = 1 }: Place): string {
-  return workers > 1 ? `${why} It uses ${workers} of its cores.` : why;
+  return workers > 1 ? msg(str`${why} It uses ${workers} of its cores.`) : why;
 }
 
 /** "840 steps a second". */
 export function paceOf(iterationsPerSecond: number): string {
-  const rounded = iterationsPerSecond < 10 ? iterationsPerSecond.toFixed(1) : count(Math.round(iterationsPerSecond));
-  return `${rounded} steps a second`;
+  const rounded = iterationsPerSecond < 10 ? decimal(iterationsPerSecond, 1) : count(Math.round(iterationsPerSecond));
+  return msg(str`${rounded} steps a second`);
 }

@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { LOOK_NAMES, type LookName } from "#sculpture/scene/looks";
@@ -7,10 +8,10 @@ import { icons } from "../shared/icons";
 import { controls } from "../shared/shared";
 
 const WORDS: Readonly<Record<LookName, string>> = {
-  copper: "Copper",
-  steel: "Black steel",
-  parameter: "Colours along the wire",
-  width: "Colours by width",
+  copper: msg("Copper"),
+  steel: msg("Black steel"),
+  parameter: msg("Colours along the wire"),
+  width: msg("Colours by width"),
 };
 
 /** How the stage looks. Fires `look-change` with `{ look, room }`, as the stage does. */
@@ -43,16 +44,16 @@ export class LookPanel extends Part {
 
   override render() {
     return html`<details>
-      <summary>Look ${icons.more}</summary>
+      <summary>${msg("Look")} ${icons.more}</summary>
       <div class="group">
         <label>
-          Wire
+          ${msg("Wire")}
           <select @change=${(event: Event) => this.choose((event.target as HTMLSelectElement).value as LookName, this.room)}>
             ${LOOK_NAMES.map((name) => html`<option value=${name} .selected=${name === this.look}>${WORDS[name]}</option>`)}
           </select>
         </label>
         <label class="switch">
-          Room with shadows
+          ${msg("Room with shadows")}
           <input type="checkbox" .checked=${this.room} @change=${(event: Event) => this.choose(this.look, (event.target as HTMLInputElement).checked)} />
         </label>
       </div>

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow } from "../../engine/protocol";
@@ -32,7 +33,7 @@ export class SettingControl extends LitElement {
         <label for="control">${label}</label>
         ${isSwitch(row) && !changed ? this.toggle() : nothing}
         ${changed
-          ? html`<button class="plain back" ?disabled=${this.locked} aria-label="Set ${label} back to ${this.wordsOf(usual)}" @click=${() => this.choose(usual)}>
+          ? html`<button class="plain back" ?disabled=${this.locked} aria-label=${msg(str`Set ${label} back to ${this.wordsOf(usual)}`)} @click=${() => this.choose(usual)}>
               ${icons.reset} ${this.wordsOf(usual)}
             </button>`
           : nothing}
@@ -68,7 +69,7 @@ export class SettingControl extends LitElement {
       ${slider
         ? html`<input
             type="range"
-            aria-label="${wordsFor(row.name).label}, slider"
+            aria-label=${msg(str`${wordsFor(row.name).label}, slider`)}
             min=${slider[0]}
             max=${slider[1]}
             step=${slider[2]}
@@ -93,7 +94,7 @@ export class SettingControl extends LitElement {
       />
       ${row.unit ? html`<span class="unit">${row.unit}</span>` : nothing}
       ${seed
-        ? html`<button class="square" aria-label="Roll another seed" title="Roll another seed" ?disabled=${locked} @click=${this.roll}>${icons.dice}</button>`
+        ? html`<button class="square" aria-label=${msg("Roll another seed")} title=${msg("Roll another seed")} ?disabled=${locked} @click=${this.roll}>${icons.dice}</button>`
         : nothing}
     </div>`;
   }

@@ -1,7 +1,8 @@
 /** What a person typed for a setting: whether it is possible, and if not, what would be. */
 
+import { msg, str } from "@lit/localize";
 import type { SettingRow } from "../../engine/protocol";
-import { count } from "../../state/common/count";
+import { count } from "../../words/numbers";
 
 /** Empty where the value is possible. */
 export function refusal(row: SettingRow, text: string): string {
@@ -11,7 +12,7 @@ export function refusal(row: SettingRow, text: string): string {
   const whole = row.kind === "integer";
   const possible = text.trim() !== "" && Number.isFinite(number) && number >= min && number <= max && (!whole || Number.isInteger(number));
   if (possible) return "";
-  return `Give a ${whole ? "whole number" : "number"} from ${count(min)} to ${count(max)}.`;
+  return whole ? msg(str`Give a whole number from ${count(min)} to ${count(max)}.`) : msg(str`Give a number from ${count(min)} to ${count(max)}.`);
 }
 
 /** Whether it is a yes or no: a switch, or a choice of on and off. */

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import type { SettingRow, SettingsTable, SettingValues } from "../../engine/protocol";
@@ -22,7 +23,7 @@ const HIDDEN_ROW: SettingRow = {
   name: "when_hidden",
   group: "run",
   unit: "",
-  help: "A paused run goes on by itself when the tab is back.",
+  help: msg("A paused run goes on by itself when the tab is back."),
   kind: "choice",
   affects: [],
   choices: WHEN_HIDDEN,
@@ -88,14 +89,14 @@ export class SettingsPanel extends Part {
     const changed = Object.keys(this.settings).filter((name) => this.isHere(name));
     return html`
       <div class="top">
-        <h2>Settings</h2>
+        <h2>${msg("Settings")}</h2>
         ${changed.length
-          ? html`<button class="plain" ?disabled=${this.locked} @click=${() => this.studio.options.reset()}>${icons.reset} Reset all</button>`
+          ? html`<button class="plain" ?disabled=${this.locked} @click=${() => this.studio.options.reset()}>${icons.reset} ${msg("Reset all")}</button>`
           : nothing}
       </div>
       ${this.table
         ? Object.keys(GROUPS).map((group) => html`${group === "expert" ? html`<slot></slot>` : nothing}${this.group(group, changed)}`)
-        : html`<p class="small quiet">They come with the engine, which is still being loaded.</p><slot></slot>`}
+        : html`<p class="small quiet">${msg("They come with the engine, which is still being loaded.")}</p><slot></slot>`}
     `;
   }
 
@@ -108,7 +109,7 @@ export class SettingsPanel extends Part {
     if (rows.length === 0) return nothing;
     const count = rows.filter((row) => changed.includes(row.name)).length;
     return html`<details @toggle=${() => (this.opened = new Set([...this.opened, group]))}>
-      <summary>${GROUPS[group]} ${count ? html`<span class="count">${count} changed</span>` : nothing} ${icons.more}</summary>
+      <summary>${GROUPS[group]} ${count ? html`<span class="count">${msg(str`${count} changed`)}</span>` : nothing} ${icons.more}</summary>
       <div class="group">
         ${(this.opened.has(group) ? rows : []).map((row) => this.control(row))}
         ${this.opened.has(group) && group === HIDDEN_ROW.group ? this.hiddenTab() : nothing}
@@ -135,12 +136,12 @@ export class SettingsPanel extends Part {
   private whereabouts() {
     const { asked, byAddress, place, refusal } = this.where;
     return html`<div class="where small" role="status">
-      ${byAddress ? html`<p class="quiet">For this visit the address decides <span class="word">(${rendererWord(asked)})</span>.</p>` : nothing}
+      ${byAddress ? html`<p class="quiet">${msg("For this visit the address decides")} <span class="word">(${rendererWord(asked)})</span>.</p>` : nothing}
       ${refusal
         ? html`<p class="refusal">${refusal} ${INSTEAD}</p>`
         : place
           ? html`<p><b>${deviceOf(place)}</b></p><p class="quiet">${reasonOf(place)}</p>`
-          : html`<p class="quiet">Looking for what there is…</p>`}
+          : html`<p class="quiet">${msg("Looking for what there is…")}</p>`}
     </div>`;
   }
 

@@ -14,6 +14,7 @@ import braces from "lucide-static/icons/file-braces.svg?raw";
 import hand from "lucide-static/icons/hand.svg?raw";
 import image from "lucide-static/icons/image.svg?raw";
 import images from "lucide-static/icons/images.svg?raw";
+import language from "lucide-static/icons/languages.svg?raw";
 import link from "lucide-static/icons/link.svg?raw";
 import monitor from "lucide-static/icons/monitor.svg?raw";
 import moon from "lucide-static/icons/moon.svg?raw";
@@ -78,6 +79,7 @@ export const icons = {
   more: icon(chevronDown),
   close: icon(x),
   help: icon(question),
+  language: icon(language),
   light: icon(sun),
   dark: icon(moon),
   system: icon(monitor),

@@ -1,5 +1,6 @@
 /** Small pictures of the wire, each a button to look at it from there. */
 
+import { msg } from "@lit/localize";
 import { css, html, type TemplateResult } from "lit";
 import type { Heading } from "../../view/heading";
 import { SMALL_PX } from "../../view/small-pictures";
@@ -13,9 +14,9 @@ export function outlooks(all: readonly Outlook[]): TemplateResult {
   return html`<ul>
     ${all.map(
       ({ words, azimuth, elevation }) => html`<li>
-        <button title="Look from there" @click=${({ currentTarget }: Event) => look(currentTarget!, { azimuth, elevation })}>
+        <button title=${msg("Look from there")} @click=${({ currentTarget }: Event) => look(currentTarget!, { azimuth, elevation })}>
           <canvas width=${SMALL_PX} height=${SMALL_PX} aria-hidden="true"></canvas>
-          <span class="words"><span class="unseen">Look at it: </span>${words}</span>
+          <span class="words"><span class="unseen">${msg("Look at it:")} </span>${words}</span>
         </button>
       </li>`,
     )}

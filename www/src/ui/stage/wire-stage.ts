@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { customElement } from "lit/decorators.js";
 import { startWorker } from "#sculpture/scene/aside";
 import { WireSculpture } from "#sculpture/element/element";
@@ -6,6 +7,8 @@ import { cameraOf } from "#sculpture/scene/orbit";
 import type { WireShape } from "#sculpture/scene/shape";
 import type { Vantage } from "#sculpture/scene/stage";
 import type { Heading } from "../../view/heading";
+import { viewWords } from "../../view/heading";
+import { elementWords } from "../../words/element";
 import type { StageWords } from "../shared/page-task";
 import { wireStageStyle } from "./wire-stage-style";
 
@@ -45,9 +48,10 @@ export class WireStage extends WireSculpture {
     const seen = Object.entries(words.views).map(([name, text]) => [`seen${name[0]!.toUpperCase()}${name.slice(1)}`, text]);
     const side = views.includes("side") ? "side" : "right";
     this.labels = JSON.stringify({
+      ...elementWords(),
       ...Object.fromEntries(seen),
-      keys: `Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the ${side} and the top, F the whole room.`,
-      flat: "This browser cannot draw in 3D here: WebGL 2 is missing or switched off. Everything else works; this is a drawing of the wire.",
+      keys: msg(str`Arrow keys turn it, with shift they move it, plus and minus zoom, 1, 2 and 3 show the front, the ${viewWords(side)} and the top, F the whole room.`),
+      flat: msg("This browser cannot draw in 3D here: WebGL 2 is missing or switched off. Everything else works; this is a drawing of the wire."),
     });
     this.through = this.seesThrough;
   }

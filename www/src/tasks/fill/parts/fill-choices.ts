@@ -1,9 +1,10 @@
+import { msg, str } from "@lit/localize";
 import { html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { givenFor, passingOf } from "../../../state/contract/state";
 import { fill } from "../task";
 import { deskOf, type Studio, type StudioState } from "../../../state/studio";
-import { percent } from "../../../state/common/words";
+import { decimal, percent } from "../../../words/numbers";
 import { Part } from "../../../view/part";
 import { WORDS } from "../../../ui/settings/setting-words";
 import { choiceStyle } from "../../../ui/shared/choice";
@@ -22,14 +23,14 @@ interface Slider {
 
 const SPACING: Slider = {
   name: "curve_spacing",
-  label: "Spacing",
+  label: msg("Spacing"),
   range: [0.03, 0.16, 0.005],
-  ends: ["Close", "Wide"],
+  ends: [msg("Close"), msg("Wide")],
   // The shape is two units across.
-  words: (value) => `${(50 * value).toFixed(1)}% of its size`,
+  words: (value) => msg(str`${decimal(50 * value, 1)}% of its size`),
 };
-const DENSITY: Slider = { name: "density", label: "Density", range: [0.1, 1, 0.05], ends: ["Light", "Dark"], words: (value) => `${percent(value)} wire` };
-const STYLE: Slider = { name: "style_strength", label: "Style", range: [0, 1, 0.05], ends: ["Not at all", "All of it"], words: percent };
+const DENSITY: Slider = { name: "density", label: msg("Density"), range: [0.1, 1, 0.05], ends: [msg("Light"), msg("Dark")], words: (value) => msg(str`${percent(value)} wire`) };
+const STYLE: Slider = { name: "style_strength", label: msg("Style"), range: [0, 1, 0.05], ends: [msg("Not at all"), msg("All of it")], words: percent };
 
 /** What matters most where a wire covers a shape: how close its lines lie, how dark they are, and how far the style bends them. */
 @customElement("fill-choices")
@@ -44,11 +45,11 @@ export class FillChoices extends Part {
     const styled = givenFor(this.state, fill)?.style != null;
     const busy = covering !== null;
     return html`<div class="all">
-      ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : "needs a style")}
-      <label class="run">Lines run ${this.flow(styled)}</label>
+      ${this.slider(SPACING)} ${this.slider(DENSITY)} ${this.slider(STYLE, styled ? "" : msg("needs a style"))}
+      <label class="run">${msg(str`Lines run ${this.flow(styled)}`)}</label>
       <div class=${busy ? "laying busy" : "laying"}>
         <div class="bar"><i></i></div>
-        <span class="small quiet" role="status">${busy ? "Laying the lines…" : this.words()}</span>
+        <span class="small quiet" role="status">${busy ? msg("Laying the lines…") : this.words()}</span>
       </div>
     </div>`;
   }
@@ -60,8 +61,8 @@ export class FillChoices extends Part {
   private words(): string {
     const { planned, restyled, doc, phase } = this.state;
     if (phase !== "idle") return "";
-    if (planned) return !passingOf(this.state, fill).curve ? "" : deskOf(doc).made ? "Shown as they would run now." : "Shown as they will run.";
-    return restyled ? "Cover it again to see that." : "";
+    if (planned) return !passingOf(this.state, fill).curve ? "" : deskOf(doc).made ? msg("Shown as they would run now.") : msg("Shown as they will run.");
+    return restyled ? msg("Cover it again to see that.") : "";
   }
 
   /** `why` it cannot be set, or empty. */

@@ -1,5 +1,6 @@
 /** What the page shows of a mesh and its style. */
 
+import { msg } from "@lit/localize";
 import { html } from "lit";
 import { deskOf } from "../../../state/keeping/document";
 import { givenFor, passingOf } from "../../../state/contract/state";
@@ -26,8 +27,8 @@ export const parts: TaskParts = {
   figures(measured) {
     const surface = measured?.finished.measures.surface;
     return [
-      ["99 of 100 spots are nearer than", surface ? worldLength(surface.p99 * surface.spacing) : DASH],
-      ["Off the surface, on average", surface ? worldLength(surface.drift_mean) : DASH],
+      [msg("99 of 100 spots are nearer than"), surface ? worldLength(surface.p99 * surface.spacing) : DASH],
+      [msg("Off the surface, on average"), surface ? worldLength(surface.drift_mean) : DASH],
     ];
   },
   /** While somebody looks back at a run over another mesh, that is not at hand. */

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { givenFor, passingOf } from "../../../state/contract/state";
@@ -5,8 +6,8 @@ import { meshKey, meshName } from "../given";
 import { SHAPES, type Up } from "../protocol";
 import { fill } from "../task";
 import type { Studio, StudioState } from "../../../state/studio";
-import { asSentence } from "../../../state/common/words";
-import { count } from "../../../state/common/count";
+import { asSentence } from "../../../words/sentences";
+import { count } from "../../../words/numbers";
 import { Part } from "../../../view/part";
 import { chosenFile } from "../../../ui/shared/drop";
 import { icons } from "../../../ui/shared/icons";
@@ -19,7 +20,7 @@ import { shapePadStyle } from "./shape-pad-style";
 const MESH_FILES = ".obj,.stl,.ply,.3mf,.glb,.gltf";
 
 /** What is up in a file, by where that is usual. */
-const UPS = { z: "Z, as for printing", y: "Y, as on screens" } as const;
+const UPS = { z: msg("Z, as for printing"), y: msg("Y, as on screens") } as const;
 
 /** The shape that a wire covers: one by formula, or a mesh from a file. */
 @customElement("shape-pad")
@@ -47,7 +48,7 @@ export class ShapePad extends Part {
     const own = mesh && !("shape" in mesh);
     const problem = padProblem || coverProblem;
     return html`
-      <h2 id="shape">Shape</h2>
+      <h2 id="shape">${msg("Shape")}</h2>
       <fieldset class="tiles" aria-labelledby="shape" aria-busy=${busy}>
         ${tiles(
           "shape",
@@ -56,18 +57,18 @@ export class ShapePad extends Part {
           locked,
           (value) => this.studio.taker(fill).shape(value as (typeof SHAPES)[number]),
         )}
-        <button id="open" class=${own ? "chosen" : ""} title=${own ? `${mesh.name}. Open another mesh` : "Open a mesh: OBJ, STL, PLY, 3MF, GLB or glTF"} ?disabled=${locked} @click=${this.openFile}>
-          <span class="picture">${icons.open}</span><span class="words"><span class="unseen">Open a mesh: </span>${own ? mesh.name : "Your mesh…"}</span>
+        <button id="open" class=${own ? "chosen" : ""} title=${own ? msg(str`${mesh.name}. Open another mesh`) : msg("Open a mesh: OBJ, STL, PLY, 3MF, GLB or glTF")} ?disabled=${locked} @click=${this.openFile}>
+          <span class="picture">${icons.open}</span><span class="words"><span class="unseen">${msg("Open a mesh:")} </span>${own ? mesh.name : msg("Your mesh…")}</span>
         </button>
       </fieldset>
       ${own ? this.upright(mesh.up ?? "y", locked) : nothing}
       ${problem && problem !== this.readProblem
         ? html`<div class="problem small" role="alert">
             <span>${problem}</span>
-            <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>
+            <button class="plain square" aria-label=${msg("Close this message")} @click=${() => (this.readProblem = problem)}>${icons.close}</button>
           </div>`
         : html`<p class="line small quiet" role="status">${this.line()}</p>`}
-      <input id="mesh" type="file" accept=${MESH_FILES} hidden tabindex="-1" aria-label="Mesh" @change=${this.chosen} />
+      <input id="mesh" type="file" accept=${MESH_FILES} hidden tabindex="-1" aria-label=${msg("Mesh")} @change=${this.chosen} />
     `;
   }
 
@@ -79,7 +80,7 @@ export class ShapePad extends Part {
   /** Few files say what is up in them. */
   private upright(up: Up, locked: boolean) {
     return html`<label class="up small">
-      Up in this file
+      ${msg("Up in this file")}
       <select ?disabled=${locked} @change=${(event: Event) => this.studio.taker(fill).turn((event.target as HTMLSelectElement).value as Up)}>
         ${Object.entries(UPS).map(([value, words]) => html`<option value=${value} .selected=${value === up}>${words}</option>`)}
       </select>
@@ -90,15 +91,15 @@ export class ShapePad extends Part {
   private line() {
     const { busy, surface } = passingOf(this.state, fill);
     if (busy) return "Reading…";
-    if (!givenFor(this.state, fill)) return "Choose one, or drop a mesh: OBJ, STL, PLY, 3MF, GLB or glTF.";
+    if (!givenFor(this.state, fill)) return msg("Choose one, or drop a mesh: OBJ, STL, PLY, 3MF, GLB or glTF.");
     if (!surface) return nothing;
     const { triangles, notes } = surface;
-    const words = [`${count(triangles)} triangles.`, ...notes.map(asSentence)].join(" ");
+    const words = [msg(str`${count(triangles)} triangles.`), ...notes.map(asSentence)].join(" ");
     return html`<span title=${words}>${words}</span>`;
   }
 
   private readonly chosen = (event: Event): void => {
     const file = chosenFile(event);
-    if (file) void this.studio.taker(fill).open(file, file.name || "the mesh");
+    if (file) void this.studio.taker(fill).open(file, file.name || msg("the mesh"));
   };
 }

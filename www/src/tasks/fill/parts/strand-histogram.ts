@@ -1,6 +1,7 @@
+import { msg, str } from "@lit/localize";
 import { css, html, svg } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { percent } from "../../../state/common/words";
+import { percent } from "../../../words/numbers";
 import { Part } from "../../../view/part";
 import { controls } from "../../../ui/shared/shared";
 
@@ -53,14 +54,14 @@ export class StrandHistogram extends Part {
     const most = Math.max(1e-9, ...strands);
     const step = WIDTH / Math.max(1, strands.length);
     const near = strands.reduce((sum, share, k) => sum + (k >= 7 && k < 14 ? share : 0), 0);
-    const words = `From line to line: ${percent(near)} of the wire is as far from its neighbour as it should be, give or take a third.`;
+    const words = msg(str`From line to line: ${percent(near)} of the wire is as far from its neighbour as it should be, give or take a third.`);
     return html`<figure>
       <svg viewBox="0 -2 ${WIDTH} ${HEIGHT + 4}" preserveAspectRatio="none" role="img" aria-label=${words}>
         ${strands.map((share, k) => svg`<rect x=${k * step + 0.5} y=${HEIGHT * (1 - share / most)} width=${step - 1} height=${(HEIGHT * share) / most} />`)}
         <path class="ground" d="M0 ${HEIGHT}H${WIDTH}" />
         <path class="asked" d="M${10 * step} 0V${HEIGHT}" />
       </svg>
-      <figcaption class="small quiet"><span>touching</span><span>From line to line</span><span>twice as far</span></figcaption>
+      <figcaption class="small quiet"><span>${msg("touching")}</span><span>${msg("From line to line")}</span><span>${msg("twice as far")}</span></figcaption>
     </figure>`;
   }
 }

@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { givenFor } from "../../../state/contract/state";
@@ -14,11 +15,11 @@ import { tiles, tilesStyle } from "./tiles";
 
 const NONE = "none";
 const PATTERN_WORDS: Readonly<Record<PatternName, string>> = {
-  petals: "Petals",
-  waves: "Waves",
-  calligraphy: "Calligraphy",
-  scales: "Scales",
-  leaves: "Leaves",
+  petals: msg("Petals"),
+  waves: msg("Waves"),
+  calligraphy: msg("Calligraphy"),
+  scales: msg("Scales"),
+  leaves: msg("Leaves"),
 };
 
 /** What the wire should look like: a style by formula, a picture of one's own, or nothing in particular. */
@@ -82,18 +83,18 @@ export class StyleShelf extends Part {
       words,
       picture: html`<canvas data-pattern=${value} width="96" height="76" aria-hidden="true"></canvas>`,
     }));
-    const none = { value: NONE, words: "None", picture: html`<span class="plain-style"></span>` };
+    const none = { value: NONE, words: msg("None"), picture: html`<span class="plain-style"></span>` };
     return html`
-      <h2 id="style">Style</h2>
+      <h2 id="style">${msg("Style")}</h2>
       <fieldset class="tiles" aria-labelledby="style">
         ${tiles("style", [none, ...patterns], own ? null : (style as PatternName | null) ?? NONE, locked, (value) =>
           this.studio.taker(fill).pattern(value === NONE ? null : (value as PatternName)),
         )}
         <button id="own" class=${own ? "chosen" : ""} ?disabled=${locked} @click=${() => this.file.click()}>
-          ${icons.picture}<span class="words" title=${own ? own.name : nothing}>${own ? own.name : "Your own picture…"}</span>
+          ${icons.picture}<span class="words" title=${own ? own.name : nothing}>${own ? own.name : msg("Your own picture…")}</span>
         </button>
       </fieldset>
-      <input id="picture" type="file" accept="image/*" hidden tabindex="-1" aria-label="Picture of a style" @change=${this.chosen} />
+      <input id="picture" type="file" accept="image/*" hidden tabindex="-1" aria-label=${msg("Picture of a style")} @change=${this.chosen} />
     `;
   }
 
@@ -119,6 +120,6 @@ export class StyleShelf extends Part {
 
   private readonly chosen = (event: Event): void => {
     const file = chosenFile(event);
-    if (file) void this.studio.taker(fill).picture(file, file.name || "the picture");
+    if (file) void this.studio.taker(fill).picture(file, file.name || msg("the picture"));
   };
 }

@@ -4,6 +4,7 @@
  * Read without the core, so that it is there at once.
  */
 
+import { msg } from "@lit/localize";
 import type { EngineClient } from "../../../engine/client";
 import { sheetOf } from "../../../engine/sheet";
 import { codeAt, fetched } from "../../../state/common/fetched";
@@ -18,9 +19,9 @@ import { SLOTS, type Papers, type Slot } from "../given";
 
 /** `tests/drawings/t01-animals`, each already on its sheet, in eight shades; WebP without loss, which is smaller than PNG. */
 const DRAWINGS: Readonly<Record<Slot, { url: string; label: string }>> = {
-  front: { url: front, label: "Cat" },
-  side: { url: side, label: "Bird" },
-  top: { url: top, label: "Fish" },
+  front: { url: front, label: msg("Cat") },
+  side: { url: side, label: msg("Bird") },
+  top: { url: top, label: msg("Fish") },
 };
 
 export async function example(engine: EngineClient): Promise<Example<Papers>> {

@@ -1,8 +1,9 @@
+import { msg, str } from "@lit/localize";
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { passingOf } from "../../../state/contract/state";
 import type { Studio, StudioState } from "../../../state/studio";
-import { percent } from "../../../state/common/words";
+import { percent } from "../../../words/numbers";
 import { Part } from "../../../view/part";
 import { settingChoice } from "../../../ui/run/setting-choice";
 import { segmentedStyle } from "../../../ui/shared/segmented";
@@ -10,9 +11,9 @@ import { controls } from "../../../ui/shared/shared";
 import { multiview } from "../task";
 
 const BENDS: Readonly<Record<string, string>> = {
-  none: "The drawings stay exactly as they are",
-  little: "Lines may move by a pixel or two",
-  free: "Lines may move as far as it takes",
+  none: msg("The drawings stay exactly as they are"),
+  little: msg("Lines may move by a pixel or two"),
+  free: msg("Lines may move as far as it takes"),
 };
 
 /** How far the drawings may bend. */
@@ -44,6 +45,6 @@ export class BendChoice extends Part {
   private outlook(): string {
     const chosen = this.studio.options.value("bend") || "little";
     const coverable = passingOf(this.state, multiview).preview?.bends.find(({ bend }) => bend === chosen)?.coverable ?? null;
-    return `${BENDS[chosen] ?? ""}${coverable === null ? "" : `; ${percent(coverable)} can be shown`}.`;
+    return `${BENDS[chosen] ?? ""}${coverable === null ? "" : msg(str`; ${percent(coverable)} can be shown`)}.`;
   }
 }

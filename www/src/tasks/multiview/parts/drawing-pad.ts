@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
@@ -7,7 +8,7 @@ import { movedBy } from "../arrangement";
 import { multiview } from "../task";
 import { compose, PAPER_PX, withStroke, type Paper, type PictureLayer } from "../paper";
 import { deskOf, type Studio, type StudioState } from "../../../state/studio";
-import { percent } from "../../../state/common/words";
+import { percent } from "../../../words/numbers";
 import { Part } from "../../../view/part";
 import { icons } from "../../../ui/shared/icons";
 import "./ink-canvas";
@@ -15,6 +16,8 @@ import type { Pen } from "./ink-canvas";
 import { chosenFile, Landing, problemOver } from "../../../ui/shared/drop";
 import { padStyle } from "../../../ui/shared/pad-style";
 import { controls } from "../../../ui/shared/shared";
+import { viewWords } from "../../../view/heading";
+import { localeTag } from "../../../words/language";
 import { drawingPadStyle } from "./drawing-pad-style";
 
 export type EditorTab = "draw" | "type" | "icons" | "picture";
@@ -28,7 +31,7 @@ export const FIRST_PEN: Pen = { erase: false, widthPx: 16 };
 /** From here on all of the ink counts as shown. */
 export const AS_GOOD_AS_ALL = 0.985;
 
-export const titled = (slot: Slot): string => slot.charAt(0).toUpperCase() + slot.slice(1);
+export const titled = (slot: Slot): string => viewWords(slot).charAt(0).toLocaleUpperCase(localeTag()) + viewWords(slot).slice(1);
 
 /** The paper's ink as an image. */
 export const inkOf = (paper: Paper): Ink => ({ width: PAPER_PX, height: PAPER_PX, ink: compose(paper) });
@@ -72,12 +75,12 @@ export class DrawingPad extends Part {
     const { pads, preview: previewed } = passingOf(state, multiview);
     const { busy, problem } = pads[slotName];
     const preview = paper ? previewed?.drawings[slotName] : undefined;
-    const moved = [preview ? movedBy(slotName, preview) : "", paper && this.word ? `pulled by “${this.word}”` : ""].filter(Boolean).join(", ");
+    const moved = [preview ? movedBy(slotName, preview) : "", paper && this.word ? msg(str`pulled by “${this.word}”`) : ""].filter(Boolean).join(", ");
     const name = titled(slotName);
     return html`
       <section
         class="${this.landing.over ? "over" : ""} ${busy ? "busy" : ""} ${locked ? "locked" : ""}"
-        aria-label="${name} drawing"
+        aria-label=${msg(str`${name} drawing`)}
         aria-busy=${busy}
         @dragover=${this.landing.dragOver}
         @dragleave=${this.landing.dragLeave}
@@ -88,8 +91,8 @@ export class DrawingPad extends Part {
           <span class="aside small quiet" title=${moved || nothing}>${moved}</span>
           <button
             class="opener plain square"
-            aria-label="More for the ${slotName} drawing"
-            title="More"
+            aria-label=${msg(str`More for the ${slotName} drawing`)}
+            title=${msg("More")}
             aria-haspopup="menu"
             ?disabled=${locked}
             @click=${this.openMenu}
@@ -110,17 +113,17 @@ export class DrawingPad extends Part {
             ${paper || busy ? nothing : this.invitation()}
             ${problem && problem !== this.readProblem
               ? html`<p class="problem small" role="alert">
-                  <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
+                  <button class="plain square" aria-label=${msg("Close this message")} @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
                 </p>`
               : nothing}
           </div>
-          <div class="tools" role="group" aria-label="Tools for the ${slotName} drawing">
-            ${this.tool("Draw", icons.pencil, () => this.edit("draw"))} ${this.tool("Type a word or an emoji", icons.type, () => this.edit("type"))}
-            ${this.tool("Take an icon", icons.shapes, () => this.edit("icons"))} ${this.tool("Choose a picture", icons.picture, () => this.input.click())}
+          <div class="tools" role="group" aria-label=${msg(str`Tools for the ${slotName} drawing`)}>
+            ${this.tool(msg("Draw"), icons.pencil, () => this.edit("draw"))} ${this.tool(msg("Type a word or an emoji"), icons.type, () => this.edit("type"))}
+            ${this.tool(msg("Take an icon"), icons.shapes, () => this.edit("icons"))} ${this.tool(msg("Choose a picture"), icons.picture, () => this.input.click())}
           </div>
         </div>
         <p class="line small quiet">${this.line(preview?.coverable)}</p>
-        <div class="menu small" role="menu" aria-label="More for the ${slotName} drawing" popover @keydown=${this.menuKey} @click=${this.closeMenu}>
+        <div class="menu small" role="menu" aria-label=${msg(str`More for the ${slotName} drawing`)} popover @keydown=${this.menuKey} @click=${this.closeMenu}>
           ${this.menuItems()}
         </div>
         <input type="file" accept="image/*" hidden tabindex="-1" @change=${this.chosen} />
@@ -129,33 +132,33 @@ export class DrawingPad extends Part {
   }
 
   private tool(words: string, icon: unknown, act: () => void) {
-    return html`<button class="plain square" aria-label="${words}, ${this.slotName}" title=${words} ?disabled=${this.locked} @click=${act}>${icon}</button>`;
+    return html`<button class="plain square" aria-label="${words}, ${viewWords(this.slotName)}" title=${words} ?disabled=${this.locked} @click=${act}>${icon}</button>`;
   }
 
   private invitation() {
     const { word } = this;
-    if (word && !this.landing.over) return html`<div class="invitation small">${icons.type}<span>“${word}” pulls here</span></div>`;
+    if (word && !this.landing.over) return html`<div class="invitation small">${icons.type}<span>${msg(str`“${word}” pulls here`)}</span></div>`;
     const words = this.landing.over
-      ? "Drop it here"
-      : html`<span class="long">Draw here, or drop a picture</span><span class="short">Draw</span>`;
+      ? msg("Drop it here")
+      : html`<span class="long">${msg("Draw here, or drop a picture")}</span><span class="short">${msg("Draw")}</span>`;
     return html`<div class="invitation small">${icons.pencil}${words}</div>`;
   }
 
   /** One line, always there: nothing jumps when it is filled. */
   private line(coverable: number | undefined) {
     const { busy, note } = passingOf(this.state, multiview).pads[this.slotName];
-    if (busy) return html`<span>Reading…</span>`;
+    if (busy) return html`<span>${msg("Reading…")}</span>`;
     if (coverable !== undefined && coverable < AS_GOOD_AS_ALL) {
-      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">of it can be </span>shown</span>`;
+      return html`<i class="hatch"></i><span><b>${percent(coverable)}</b> <span class="more">${msg("of it can be")} </span>${msg("shown")}</span>`;
     }
     if (note) return html`<span title=${note}>${note}</span>`;
-    return html`<span>${coverable === undefined ? (this.paper?.label ?? "") : "All can be shown"}</span>`;
+    return html`<span>${coverable === undefined ? (this.paper?.label ?? "") : msg("All can be shown")}</span>`;
   }
 
   private described(coverable: number | undefined): string {
     const { paper, slotName } = this;
-    if (!paper) return `${titled(slotName)}: ${this.word ? `no drawing, “${this.word}” pulls the wire` : "empty sheet"}`;
-    return `${titled(slotName)}: ${paper.label}${coverable === undefined ? "" : `, ${percent(coverable)} of it can be shown`}`;
+    if (!paper) return `${titled(slotName)}: ${this.word ? msg(str`no drawing, “${this.word}” pulls the wire`) : msg("empty sheet")}`;
+    return `${titled(slotName)}: ${paper.label}${coverable === undefined ? "" : msg(str`, ${percent(coverable)} of it can be shown`)}`;
   }
 
   private menuItems() {
@@ -169,20 +172,20 @@ export class DrawingPad extends Part {
       void pads.reread(slotName, { ...picture!.reading, ink: dark ? "light" : "dark" });
     };
     return html`
-      ${item("Draw, type or take an icon", icons.pencil, () => this.edit("draw"), false)}
-      ${item("Choose a picture", icons.picture, () => this.input.click(), false)}
+      ${item(msg("Draw, type or take an icon"), icons.pencil, () => this.edit("draw"), false)}
+      ${item(msg("Choose a picture"), icons.picture, () => this.input.click(), false)}
       <hr role="separator" />
-      ${item("Mirror", icons.mirror, () => pads.mirror(slotName))} ${item("Turn left", icons.turnLeft, () => pads.turn(slotName, 1))}
-      ${item("Turn right", icons.turnRight, () => pads.turn(slotName, 3))}
+      ${item(msg("Mirror"), icons.mirror, () => pads.mirror(slotName))} ${item(msg("Turn left"), icons.turnLeft, () => pads.turn(slotName, 1))}
+      ${item(msg("Turn right"), icons.turnRight, () => pads.turn(slotName, 3))}
       ${SLOTS.filter((other) => other !== slotName).map((other) =>
-        item(`Swap with ${other}`, icons.swap, () => pads.swap(slotName, other), !paper && !givenFor(state, multiview)[other]),
+        item(msg(str`Swap with ${other}`), icons.swap, () => pads.swap(slotName, other), !paper && !givenFor(state, multiview)[other]),
       )}
       ${picture
         ? html`<hr role="separator" />
-            ${item("Swap ink and ground", icons.invert, invert)} ${item("Set how dark ink is", icons.settings, () => this.edit("picture"))}`
+            ${item(msg("Swap ink and ground"), icons.invert, invert)} ${item(msg("Set how dark ink is"), icons.settings, () => this.edit("picture"))}`
         : nothing}
       <hr role="separator" />
-      ${item("Clear", icons.clear, () => pads.clearPad(slotName), !paper && !this.word)}
+      ${item(msg("Clear"), icons.clear, () => pads.clearPad(slotName), !paper && !this.word)}
     `;
   }
 
@@ -198,11 +201,11 @@ export class DrawingPad extends Part {
   }
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
-    this.studio.taker(multiview).set(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), "Draw a stroke");
+    this.studio.taker(multiview).set(this.slotName, withStroke(this.paper, { ...FIRST_PEN, points: event.detail }), msg("Draw a stroke"));
   }
 
   private give(file: File | undefined): void {
-    if (file && !this.locked) void this.studio.taker(multiview).give(this.slotName, file, file.name || "The picture");
+    if (file && !this.locked) void this.studio.taker(multiview).give(this.slotName, file, file.name || msg("The picture"));
   }
 
   private chosen(event: Event): void {

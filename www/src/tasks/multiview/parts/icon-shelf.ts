@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing, svg, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { find } from "./drawing/shelf";
@@ -73,11 +74,11 @@ export class IconShelf extends LitElement {
   override render() {
     return html`
       <label class="search">
-        <span class="unseen">Search icons</span>
+        <span class="unseen">${msg("Search icons")}</span>
         ${icons.search}
         <input
           type="search"
-          placeholder="Search: cat, bike, love…"
+          placeholder=${msg("Search: cat, bike, love…")}
           autocomplete="off"
           spellcheck="false"
           enterkeyhint="search"
@@ -88,13 +89,13 @@ export class IconShelf extends LitElement {
         />
       </label>
       <label class="width small quiet">
-        Line
+        ${msg("Line")}
         <input
           type="range"
           min=${WIDTH.least}
           max=${WIDTH.most}
           step=${WIDTH.step}
-          aria-label="Width of the icon's lines"
+          aria-label=${msg("Width of the icon's lines")}
           .value=${String(this.strokeWidth)}
           @input=${this.setWidth}
           @change=${this.takeAgain}
@@ -105,8 +106,8 @@ export class IconShelf extends LitElement {
       <slot></slot>
       ${this.shelf
         ? html`<details class="small">
-            <summary>Icons: Lucide, ISC licence</summary>
-            <pre tabindex="0" aria-label="Licence of the icons">${this.shelf.licence}</pre>
+            <summary>${msg("Icons: Lucide, ISC licence")}</summary>
+            <pre tabindex="0" aria-label=${msg("Licence of the icons")}>${this.shelf.licence}</pre>
           </details>`
         : nothing}
     `;
@@ -121,21 +122,21 @@ export class IconShelf extends LitElement {
   private content() {
     if (this.failed) {
       return html`<div class="nothing small" role="alert">
-        <p>The icons did not load. Nothing is lost; please try again.</p>
-        <button @click=${this.load}>Try again</button>
+        <p>${msg("The icons did not load. Nothing is lost; please try again.")}</p>
+        <button @click=${this.load}>${msg("Try again")}</button>
       </div>`;
     }
-    if (!this.shelf) return html`<div class="nothing small"><p>Getting the icons…</p></div>`;
+    if (!this.shelf) return html`<div class="nothing small"><p>${msg("Getting the icons…")}</p></div>`;
     if (this.found.length === 0) {
       return html`<div class="nothing small">
-        <p>No icon for “${this.search.trim()}”. It may be there under another word:</p>
+        <p>${msg(str`No icon for “${this.search.trim()}”. It may be there under another word:`)}</p>
         <div>${SUGGESTIONS.map((word) => html`<button @click=${() => (this.search = word)}>${word}</button>`)}</div>
       </div>`;
     }
     const shown = this.found.slice(0, this.shown);
     const rest = this.found.length - this.wanted;
     return html`
-      <div class="grid" data-keys role="group" aria-label="${this.found.length} icons" @keydown=${this.gridKey}>
+      <div class="grid" data-keys role="group" aria-label=${msg(str`${this.found.length} icons`)} @keydown=${this.gridKey}>
         ${shown.map(
           (icon, i) => html`<button
             aria-label=${wordsOf(icon)}
@@ -149,7 +150,7 @@ export class IconShelf extends LitElement {
           </button>`,
         )}
       </div>
-      ${rest > 0 ? html`<button class="rest small" @click=${this.more}>Show ${Math.min(PAGE, rest)} more of ${rest}</button>` : nothing}
+      ${rest > 0 ? html`<button class="rest small" @click=${this.more}>${msg(str`Show ${Math.min(PAGE, rest)} more of ${rest}`)}</button>` : nothing}
     `;
   }
 

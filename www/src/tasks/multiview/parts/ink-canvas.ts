@@ -1,5 +1,6 @@
 /** A sheet of ink to look at, and to draw on with mouse, pen, finger or keys. */
 
+import { msg, str } from "@lit/localize";
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
@@ -44,7 +45,7 @@ export class InkCanvas extends Part {
   @property({ type: Boolean }) fingers = false;
   /** Whether the sheet takes the focus and draws with keys. */
   @property({ type: Boolean }) keys = false;
-  @property() name = "Drawing";
+  @property() name = msg("Drawing");
   @state() private penDown = false;
   @state() private told = "";
   @query("#ink") private canvas!: HTMLCanvasElement;
@@ -81,7 +82,7 @@ export class InkCanvas extends Part {
         class="sheet ${drawable ? "drawing" : ""} ${drawable && this.fingers ? "fingers" : ""}"
         role=${keys ? "application" : "img"}
         aria-label=${this.name}
-        aria-description=${keys ? "Arrow keys move the pen, with Shift in larger steps. Space puts it down and lifts it. Escape takes the stroke back." : nothing}
+        aria-description=${keys ? msg("Arrow keys move the pen, with Shift in larger steps. Space puts it down and lifts it. Escape takes the stroke back.") : nothing}
         tabindex=${keys ? 0 : nothing}
         @pointerenter=${this.enter}
         @pointerdown=${this.down}
@@ -151,18 +152,18 @@ export class InkCanvas extends Part {
       this.cursor?.style.setProperty("top", `${(100 * this.at[1]) / PAPER_PX}%`);
       if (this.penDown) this.addPoint(this.at);
     } else if (event.key === " " && !event.repeat) {
-      const where = `${Math.round((100 * this.at[0]) / PAPER_PX)}% across, ${Math.round((100 * this.at[1]) / PAPER_PX)}% down`;
+      const where = msg(str`${Math.round((100 * this.at[0]) / PAPER_PX)}% across, ${Math.round((100 * this.at[1]) / PAPER_PX)}% down`);
       if (this.penDown) {
         this.finish();
-        this.told = `Pen lifted at ${where}.`;
+        this.told = msg(str`Pen lifted at ${where}.`);
       } else {
         this.penDown = true;
         this.addPoint(this.at);
-        this.told = `Pen down at ${where}.`;
+        this.told = msg(str`Pen down at ${where}.`);
       }
     } else if (event.key === "Escape" && this.penDown) {
       this.cancel();
-      this.told = "Stroke taken back.";
+      this.told = msg("Stroke taken back.");
     } else return;
     event.preventDefault();
     event.stopPropagation();

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { redo, undo } from "../../../state/actions/actions";
@@ -25,10 +26,10 @@ import { controls } from "../../../ui/shared/shared";
 import { walkTabs } from "../../../ui/shared/tablist";
 
 const TABS: readonly { readonly tab: EditorTab; readonly words: string; readonly icon: TemplateResult }[] = [
-  { tab: "draw", words: "Draw", icon: icons.pencil },
-  { tab: "type", words: "Type", icon: icons.type },
-  { tab: "icons", words: "Icons", icon: icons.shapes },
-  { tab: "picture", words: "Picture", icon: icons.picture },
+  { tab: "draw", words: msg("Draw"), icon: icons.pencil },
+  { tab: "type", words: msg("Type"), icon: icons.type },
+  { tab: "icons", words: msg("Icons"), icon: icons.shapes },
+  { tab: "picture", words: msg("Picture"), icon: icons.picture },
 ];
 const WIDTH_PX = { least: 4, most: 64 };
 /** A word is written, and a picture read again, when fingers have rested this long. */
@@ -132,10 +133,10 @@ export class PadEditor extends LitElement {
     >
       <div class="all ${this.over ? "over" : ""}">
         <header>
-          <h2 id="title">${titled(slot)} drawing</h2>
+          <h2 id="title">${msg(str`${titled(slot)} drawing`)}</h2>
           <span class="moved small quiet">${preview ? movedBy(slot, preview) : ""}</span>
-          ${this.step("Undo", icons.undo, state.undo, () => this.studio.act(undo))} ${this.step("Redo", icons.redo, state.redo, () => this.studio.act(redo))}
-          <button class="primary" @click=${this.done}>Done</button>
+          ${this.step(msg("Undo"), icons.undo, state.undo, () => this.studio.act(undo))} ${this.step(msg("Redo"), icons.redo, state.redo, () => this.studio.act(redo))}
+          <button class="primary" @click=${this.done}>${msg("Done")}</button>
         </header>
         <div class="body ${this.shownTab}">
           <div class="room">
@@ -149,7 +150,7 @@ export class PadEditor extends LitElement {
                 name="${titled(slot)} sheet"
                 @stroke=${this.drawn}
               ></ink-canvas>
-              ${draft || !drawing ? nothing : html`<p class="hint">${nothingToErase ? "Nothing to erase yet" : "Draw here"}</p>`}
+              ${draft || !drawing ? nothing : html`<p class="hint">${nothingToErase ? msg("Nothing to erase yet") : msg("Draw here")}</p>`}
             </div>
           </div>
           <div class="side" ?inert=${locked}>
@@ -176,7 +177,7 @@ export class PadEditor extends LitElement {
   }
 
   private tabs() {
-    return html`<div class="tabs" role="tablist" aria-label="Ways to make a drawing" data-keys @keydown=${this.tabKey}>
+    return html`<div class="tabs" role="tablist" aria-label=${msg("Ways to make a drawing")} data-keys @keydown=${this.tabKey}>
       ${TABS.map(
         ({ tab, words, icon }) => html`<button
           role="tab"
@@ -220,17 +221,17 @@ export class PadEditor extends LitElement {
     };
     return html`
       ${segmented({
-        legend: "Tool",
+        legend: msg("Tool"),
         name: "tool",
         options: [
-          { value: "pen", words: "Pen" },
-          { value: "eraser", words: "Eraser" },
+          { value: "pen", words: msg("Pen") },
+          { value: "eraser", words: msg("Eraser") },
         ],
         value: pen.erase ? "eraser" : "pen",
         choose: (tool) => (this.pen = { ...pen, erase: tool === "eraser" }),
       })}
       <div class="field">
-        <span id="width-label">Width, of a sheet 512 wide</span>
+        <span id="width-label">${msg("Width, of a sheet 512 wide")}</span>
         <div class="amount">
           <input type="range" aria-labelledby="width-label" min=${WIDTH_PX.least} max=${WIDTH_PX.most} .value=${String(pen.widthPx)} @input=${setWidth} />
           <input type="number" aria-labelledby="width-label" min=${WIDTH_PX.least} max=${WIDTH_PX.most} .value=${String(pen.widthPx)} @change=${setWidth} />
@@ -244,10 +245,10 @@ export class PadEditor extends LitElement {
           .checked=${this.asSeen && !!preview}
           @change=${(event: Event) => (this.asSeen = (event.target as HTMLInputElement).checked)}
         />
-        Show as the wire sees it
+        ${msg("Show as the wire sees it")}
       </label>
-      <button ?disabled=${!this.paper} @click=${() => this.pads.clearPad(this.slot)}>${icons.clear} Clear the sheet</button>
-      <p class="small quiet fine">With keys: <kbd>Tab</kbd> to the sheet, arrows move, <kbd>Space</kbd> puts the pen down and lifts it.</p>
+      <button ?disabled=${!this.paper} @click=${() => this.pads.clearPad(this.slot)}>${icons.clear} ${msg("Clear the sheet")}</button>
+      <p class="small quiet fine">${msg("With keys:")} <kbd>${msg("Tab")}</kbd> ${msg("to the sheet, arrows move,")} <kbd>${msg("Space")}</kbd> ${msg("puts the pen down and lifts it.")}</p>
     `;
   }
 
@@ -255,7 +256,7 @@ export class PadEditor extends LitElement {
     const { font, bold } = this.lettering;
     return html`
       <label class="field">
-        <span>A word, some letters or an emoji</span>
+        <span>${msg("A word, some letters or an emoji")}</span>
         <input
           id="text"
           type="text"
@@ -269,7 +270,7 @@ export class PadEditor extends LitElement {
         />
       </label>
       <label class="field">
-        <span>Letters</span>
+        <span>${msg("Letters")}</span>
         <select
           @change=${(event: Event) => this.letter({ font: (event.target as HTMLSelectElement).value as Font })}
         >
@@ -277,25 +278,25 @@ export class PadEditor extends LitElement {
         </select>
       </label>
       ${segmented({
-        legend: "Weight",
+        legend: msg("Weight"),
         name: "weight",
         options: [
-          { value: "regular", words: "Regular" },
-          { value: "bold", words: "Bold" },
+          { value: "regular", words: msg("Regular") },
+          { value: "bold", words: msg("Bold") },
         ],
         value: bold ? "bold" : "regular",
         choose: (weight) => this.letter({ bold: weight === "bold" }),
       })}
-      <button class="primary" ?disabled=${!this.stamp} @click=${this.keepWord}>${icons.check} Put on the sheet</button>
+      <button class="primary" ?disabled=${!this.stamp} @click=${this.keepWord}>${icons.check} ${msg("Put on the sheet")}</button>
       <p class="small status ${this.unknown.length ? "problem" : "quiet"}" role="status">${this.aboutWord()}</p>
     `;
   }
 
   private aboutWord(): string {
     const { unknown, text, stamp } = this;
-    if (unknown.length > 0) return `This device has no letters for ${unknown.slice(0, 5).join(" ")}. Try another word, or draw it.`;
-    if (stamp) return "Not on the sheet yet. Enter puts it there.";
-    return text.trim() ? "" : "Short words make the best wires. Emoji become line drawings.";
+    if (unknown.length > 0) return msg(str`This device has no letters for ${unknown.slice(0, 5).join(" ")}. Try another word, or draw it.`);
+    if (stamp) return msg("Not on the sheet yet. Enter puts it there.");
+    return text.trim() ? "" : msg("Short words make the best wires. Emoji become line drawings.");
   }
 
   private picturePanel() {
@@ -308,25 +309,25 @@ export class PadEditor extends LitElement {
       if (reading && value >= 0 && value <= 100) this.reread({ ...reading, threshold: value / 100 });
     };
     return html`
-      <button class=${layer ? "" : "primary"} @click=${() => this.file.click()}>${icons.picture} ${layer ? "Choose another picture" : "Choose a picture"}</button>
-      <button class="coarse" @click=${() => this.camera.click()}>${icons.camera} Take a photo</button>
+      <button class=${layer ? "" : "primary"} @click=${() => this.file.click()}>${icons.picture} ${layer ? msg("Choose another picture") : msg("Choose a picture")}</button>
+      <button class="coarse" @click=${() => this.camera.click()}>${icons.camera} ${msg("Take a photo")}</button>
       <p class="small status ${problem ? "problem" : "quiet"}" role=${problem ? "alert" : "status"}>
-        ${problem || (busy ? "Reading…" : note || "Or drop or paste one here. It stays on this device.")}
+        ${problem || (busy ? "Reading…" : note || msg("Or drop or paste one here. It stays on this device."))}
       </p>
       ${layer && reading
         ? html`${segmented({
-              legend: "Ink is",
+              legend: msg("Ink is"),
               name: "ink",
               options: [
-                { value: "auto", words: layer.reading.ink === "auto" ? `Auto (${layer.found.polarity})` : "Auto" },
-                { value: "dark", words: "Dark" },
-                { value: "light", words: "Light" },
+                { value: "auto", words: layer.reading.ink === "auto" ? msg(str`Auto (${layer.found.polarity})`) : msg("Auto") },
+                { value: "dark", words: msg("Dark") },
+                { value: "light", words: msg("Light") },
               ],
               value: reading.ink,
               choose: (ink) => this.reread({ ...reading, ink: ink as Reading["ink"] }),
             })}
             <div class="field">
-              <span id="threshold-label">Leave out faint ink, up to %</span>
+              <span id="threshold-label">${msg("Leave out faint ink, up to %")}</span>
               <div class="amount">
                 <input type="range" aria-labelledby="threshold-label" min="0" max="100" .value=${String(percentage)} @input=${setThreshold} />
                 <input type="number" aria-labelledby="threshold-label" min="0" max="100" .value=${String(percentage)} @change=${setThreshold} />
@@ -347,7 +348,7 @@ export class PadEditor extends LitElement {
 
   private drawn(event: CustomEvent<Float32Array<ArrayBuffer>>): void {
     const { pen, paper } = this;
-    this.pads.set(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? "Erase" : "Draw a stroke");
+    this.pads.set(this.slot, withStroke(paper, { ...pen, points: event.detail }), pen.erase ? msg("Erase") : msg("Draw a stroke"));
   }
 
   private type(text: string): void {
@@ -384,14 +385,14 @@ export class PadEditor extends LitElement {
     await this.writeWord();
     const { stamp, locked } = this;
     if (stamp && !locked && slot === this.slot) {
-      this.pads.set(slot, withStamp(this.paper, stamp), `Write “${stamp.label}”`);
+      this.pads.set(slot, withStamp(this.paper, stamp), msg(str`Write “${stamp.label}”`));
       this.pending = false;
     }
     this.stamp = null;
   }
 
   private takeIcon({ detail: { name, ink } }: CustomEvent<TakenIcon>): void {
-    this.pads.set(this.slot, withStamp(this.paper, { label: name, ink }), `Take the icon ${name}`);
+    this.pads.set(this.slot, withStamp(this.paper, { label: name, ink }), msg(str`Take the icon ${name}`));
   }
 
   private reread(reading: Reading): void {
@@ -407,7 +408,7 @@ export class PadEditor extends LitElement {
     if (!file || this.locked) return;
     this.forget();
     this.tab = "picture";
-    void this.pads.give(this.slot, file, file.name || "The picture");
+    void this.pads.give(this.slot, file, file.name || msg("The picture"));
   }
 
   private chosen(event: Event): void {

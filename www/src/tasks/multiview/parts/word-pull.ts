@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { DENOISER, ICONS } from "../../../engine/protocol";
@@ -7,6 +8,7 @@ import { deskOf, type Studio, type StudioState } from "../../../state/studio";
 import { icons } from "../../../ui/shared/icons";
 import { controls } from "../../../ui/shared/shared";
 import { Part } from "../../../view/part";
+import { viewWords } from "../../../view/heading";
 import type { Slot } from "../given";
 import { multiview } from "../task";
 
@@ -38,11 +40,11 @@ export class WordPull extends Part {
   override render() {
     const { word, taken } = this;
     const typed = this.typed.trim();
-    return html`${typed && typed !== word ? html`<button @click=${() => this.say(typed)}>${icons.type} Let “${typed}” pull the wire</button>` : nothing}
-      ${word ? html`<button class="plain" @click=${() => this.say("")}>${icons.clear} No longer let “${word}” pull</button>` : nothing}
-      ${word && this.isDrawn ? html`<button class="plain" @click=${this.alone}>${icons.pencil} Take the drawing away</button>` : nothing}
-      <p class="small quiet" role="status">${word ? `“${word}” pulls the ${this.pad} view. ${taken}` : nothing}</p>
-      ${typed || word ? html`<p class="small quiet">Experimental, with a drawing or without: ${this.who} An icon makes the cleaner picture.</p>` : nothing}`;
+    return html`${typed && typed !== word ? html`<button @click=${() => this.say(typed)}>${icons.type} ${msg(str`Let “${typed}” pull the wire`)}</button>` : nothing}
+      ${word ? html`<button class="plain" @click=${() => this.say("")}>${icons.clear} ${msg(str`No longer let “${word}” pull`)}</button>` : nothing}
+      ${word && this.isDrawn ? html`<button class="plain" @click=${this.alone}>${icons.pencil} ${msg("Take the drawing away")}</button>` : nothing}
+      <p class="small quiet" role="status">${word ? msg(str`“${word}” pulls the ${viewWords(this.pad)} view. ${taken}`) : nothing}</p>
+      ${typed || word ? html`<p class="small quiet">${msg(str`Experimental, with a drawing or without: ${this.who} An icon makes the cleaner picture.`)}</p>` : nothing}`;
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
@@ -62,12 +64,12 @@ export class WordPull extends Part {
   }
 
   private get who(): string {
-    if (this.by === ICONS) return "two small networks of ours say what it looks like, about 7 MB with what runs them, fetched when you press Run.";
-    if (this.by === DENOISER) return "a small diffusion model of ours says what it looks like, fetched when you press Run.";
-    return "the network that is chosen under Settings says what it looks like.";
+    if (this.by === ICONS) return msg("two small networks of ours say what it looks like, about 7 MB with what runs them, fetched when you press Run.");
+    if (this.by === DENOISER) return msg("a small diffusion model of ours says what it looks like, fetched when you press Run.");
+    return msg("the network that is chosen under Settings says what it looks like.");
   }
 
-  private readonly alone = (): void => this.studio.taker(multiview).set(this.pad, null, "Let the word alone pull");
+  private readonly alone = (): void => this.studio.taker(multiview).set(this.pad, null, msg("Let the word alone pull"));
 
   private async say(word: string): Promise<void> {
     this.taken = "";

@@ -4,6 +4,7 @@
  * Loaded when the task is first looked at.
  */
 
+import { msg } from "@lit/localize";
 import { codeAt } from "../../../state/common/fetched";
 import type { Example } from "../../../state/contract/task";
 import { kept, readPicture } from "../../../state/picture/picture";
@@ -12,7 +13,7 @@ import codeUrl from "./wire.code?url";
 import type { Subject } from "../given";
 import { sampleFile, SAMPLES } from "./samples";
 
-const SAMPLE = "Mug";
+const SAMPLE = msg("Mug");
 
 export async function example(): Promise<Example<Subject>> {
   const [code, file] = await Promise.all([codeAt(codeUrl), sampleFile(SAMPLES.find(({ name }) => name === SAMPLE)!)]);

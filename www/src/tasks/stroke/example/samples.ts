@@ -1,5 +1,7 @@
 /** A few pictures to begin with, drawn by formula on white paper: nothing to load, the same everywhere. */
 
+import { msg } from "@lit/localize";
+
 export interface Sample {
   readonly name: string;
   /** Paints onto a square of one unit, x right, y down. */
@@ -11,11 +13,11 @@ const SIDE_PX = 512;
 const DARK = "#262220";
 
 export const SAMPLES: readonly Sample[] = [
-  { name: "Ball", paint: ball },
-  { name: "Cat", paint: cat },
-  { name: "Pear", paint: pear },
-  { name: "Mug", paint: mug },
-  { name: "Key", paint: key },
+  { name: msg("Ball"), paint: ball },
+  { name: msg("Cat"), paint: cat },
+  { name: msg("Pear"), paint: pear },
+  { name: msg("Mug"), paint: mug },
+  { name: msg("Key"), paint: key },
 ];
 
 /** A sample at some size, to be shown. */

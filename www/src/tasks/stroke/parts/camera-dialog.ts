@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { html, LitElement, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { icons } from "../../../ui/shared/icons";
@@ -28,18 +29,18 @@ export class CameraDialog extends LitElement {
     const { phase, problem, cameras } = this;
     return html`<dialog aria-labelledby="title" @close=${this.closed}>
       <div class="all">
-        <h2 id="title">Take a photo</h2>
+        <h2 id="title">${msg("Take a photo")}</h2>
         <div class="view">
-          <video autoplay playsinline muted ?hidden=${phase !== "live"} aria-label="What the camera sees"></video>
-          ${phase === "live" ? nothing : html`<p role=${problem ? "alert" : "status"}>${problem || "Waiting for the camera. The browser may ask you first."}</p>`}
+          <video autoplay playsinline muted ?hidden=${phase !== "live"} aria-label=${msg("What the camera sees")}></video>
+          ${phase === "live" ? nothing : html`<p role=${problem ? "alert" : "status"}>${problem || msg("Waiting for the camera. The browser may ask you first.")}</p>`}
         </div>
-        <p class="small quiet">The photo stays on this device: nothing is sent anywhere.</p>
+        <p class="small quiet">${msg("The photo stays on this device: nothing is sent anywhere.")}</p>
         <div class="buttons">
-          <button @click=${() => this.dialog.close()}>Cancel</button>
-          ${cameras.length > 1 ? html`<button @click=${this.switch}>${icons.swap}Other camera</button>` : nothing}
+          <button @click=${() => this.dialog.close()}>${msg("Cancel")}</button>
+          ${cameras.length > 1 ? html`<button @click=${this.switch}>${icons.swap}${msg("Other camera")}</button>` : nothing}
           ${phase === "failed"
-            ? html`<button class="primary" @click=${() => void this.start()}>${icons.reset}Try again</button>`
-            : html`<button class="primary" ?disabled=${phase !== "live"} @click=${this.take}>${icons.camera}Take</button>`}
+            ? html`<button class="primary" @click=${() => void this.start()}>${icons.reset}${msg("Try again")}</button>`
+            : html`<button class="primary" ?disabled=${phase !== "live"} @click=${this.take}>${icons.camera}${msg("Take")}</button>`}
         </div>
       </div>
     </dialog>`;
@@ -68,7 +69,7 @@ export class CameraDialog extends LitElement {
       this.stream = stream;
       this.video.srcObject = stream;
       await this.video.play();
-      for (const track of stream.getTracks()) track.addEventListener("ended", () => this.fail("The camera has stopped."));
+      for (const track of stream.getTracks()) track.addEventListener("ended", () => this.fail(msg("The camera has stopped.")));
       this.phase = "live";
       this.cameras = (await navigator.mediaDevices.enumerateDevices()).filter(({ kind }) => kind === "videoinput").map(({ deviceId }) => deviceId);
     } catch (error) {
@@ -88,7 +89,7 @@ export class CameraDialog extends LitElement {
     canvas.getContext("2d")!.drawImage(this.video, 0, 0);
     const file = await canvas.convertToBlob({ type: "image/png" });
     if (!this.isConnected) return;
-    tell(this, "give", { file, name: "Photo" });
+    tell(this, "give", { file, name: msg("Photo") });
     this.dialog.close();
   }
 
@@ -119,14 +120,14 @@ function refusal(error: unknown): string {
   switch (error instanceof DOMException ? error.name : "") {
     case "NotAllowedError":
     case "SecurityError":
-      return "This page may not use the camera. Allow it in the browser's address bar and try again, or choose a picture instead.";
+      return msg("This page may not use the camera. Allow it in the browser's address bar and try again, or choose a picture instead.");
     case "NotFoundError":
     case "OverconstrainedError":
-      return "There is no camera on this device. Choose a picture instead.";
+      return msg("There is no camera on this device. Choose a picture instead.");
     case "NotReadableError":
     case "AbortError":
-      return "The camera is busy: another program may be using it. Close that and try again, or choose a picture instead.";
+      return msg("The camera is busy: another program may be using it. Close that and try again, or choose a picture instead.");
     default:
-      return "The camera does not start. Try again, or choose a picture instead.";
+      return msg("The camera does not start. Try again, or choose a picture instead.");
   }
 }

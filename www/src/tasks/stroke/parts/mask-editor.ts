@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { remembered } from "../../../state/common/remember";
@@ -8,6 +9,7 @@ import { sheetAndTools } from "../../../ui/shared/editor-style";
 import { icons } from "../../../ui/shared/icons";
 import { segmented, segmentedStyle } from "../../../ui/shared/segmented";
 import { controls } from "../../../ui/shared/shared";
+import { counted, listed } from "../../../words/numbers";
 import "./subject-canvas";
 import type { Tool } from "./subject-canvas";
 import { tell } from "./subject-events";
@@ -21,12 +23,12 @@ const MARK_WIDTH = 0.016;
 
 type Choice = "box" | "this" | "not-this" | "fine";
 const CHOICES: readonly { readonly value: Choice; readonly words: string; readonly title: string }[] = [
-  { value: "box", words: "Box", title: "Drag a box round what is meant" },
-  { value: "this", words: "This", title: "Draw on what is meant (X)" },
-  { value: "not-this", words: "Not this", title: "Draw on what is not meant (X)" },
-  { value: "fine", words: "Fine-tune", title: "Paint the object itself with a brush" },
+  { value: "box", words: msg("Box"), title: msg("Drag a box round what is meant") },
+  { value: "this", words: msg("This"), title: msg("Draw on what is meant (X)") },
+  { value: "not-this", words: msg("Not this"), title: msg("Draw on what is not meant (X)") },
+  { value: "fine", words: msg("Fine-tune"), title: msg("Paint the object itself with a brush") },
 ];
-const SIDES = ["Left", "Top", "Right", "Bottom"] as const;
+const SIDES = [msg("Left"), msg("Top"), msg("Right"), msg("Bottom")] as const;
 /** Of the picture, where nobody has dragged a box yet. */
 const ALL: Box = [0, 0, 1, 1];
 /** Percent between opposite sides of a box. */
@@ -98,10 +100,10 @@ export class MaskEditor extends LitElement {
     return html`<dialog aria-labelledby="title" @cancel=${this.escape} @keydown=${this.key}>
       <div class="all ${busy ? "busy" : ""}">
         <header>
-          <h2 id="title">Mark</h2>
+          <h2 id="title">${msg("Mark")}</h2>
           <span class="moved small quiet">${subject.picture.name}</span>
-          ${this.step("Undo", icons.undo, this.undo, "undo")} ${this.step("Redo", icons.redo, this.redo, "redo")}
-          <button class="primary" @click=${this.close}>Done</button>
+          ${this.step(msg("Undo"), icons.undo, this.undo, "undo")} ${this.step(msg("Redo"), icons.redo, this.redo, "redo")}
+          <button class="primary" @click=${this.close}>${msg("Done")}</button>
         </header>
         <div class="body">
           <div class="room">
@@ -118,7 +120,7 @@ export class MaskEditor extends LitElement {
           <div class="side" ?inert=${locked}>
             <div class="panel">
               ${segmented({
-                legend: "Say it with",
+                legend: msg("Say it with"),
                 name: "tool",
                 options: CHOICES,
                 value: choice,
@@ -128,9 +130,9 @@ export class MaskEditor extends LitElement {
               ${this.problem ? html`<p class="small problem" role="alert">${this.problem}</p>` : nothing}
               <p class="small quiet status" role="status">${this.told()}</p>
               <p class="small quiet fine">
-                With keys: <kbd>Tab</kbd> to the picture, arrows move, <kbd>Space</kbd> starts and ends a ${choice === "box" ? "box" : "stroke"}${choice === "box"
+                ${msg("With keys:")} <kbd>${msg("Tab")}</kbd> ${msg("to the picture, arrows move,")} <kbd>${msg("Space")}</kbd> ${msg(str`starts and ends a ${choice === "box" ? "box" : "stroke"}`)}${choice === "box"
                   ? nothing
-                  : html`, <kbd>X</kbd> swaps ${choice === "fine" ? "add and remove" : "this and not this"}`}${choice === "fine" ? html`, <kbd>[</kbd> <kbd>]</kbd> change the size` : nothing}.
+                  : html`, <kbd>X</kbd> ${msg(str`swaps ${choice === "fine" ? msg("add and remove") : msg("this and not this")}`)}`}${choice === "fine" ? html`, <kbd>[</kbd> <kbd>]</kbd> ${msg("change the size")}` : nothing}.
               </p>
             </div>
           </div>
@@ -142,59 +144,59 @@ export class MaskEditor extends LitElement {
   private boxing() {
     const { subject, busy } = this;
     const box = subject.box ?? null;
-    return html`<p class="small quiet how">Drag a box round what is meant, or give its sides in % of the picture.</p>
+    return html`<p class="small quiet how">${msg("Drag a box round what is meant, or give its sides in % of the picture.")}</p>
       <div class="sides">
         ${SIDES.map((side, i) => {
           const percent = String(Math.round(100 * (box ?? ALL)[i]!));
           return html`<label class="small quiet">${side}<input type="number" min="0" max="100" ?disabled=${busy} .value=${percent} @change=${(event: Event) => this.setSide(i, event)} /></label>`;
         })}
       </div>
-      <button ?disabled=${!box || busy} @click=${() => tell(this, "give-box", { box: null })}>${icons.clear}Remove the box</button>`;
+      <button ?disabled=${!box || busy} @click=${() => tell(this, "give-box", { box: null })}>${icons.clear}${msg("Remove the box")}</button>`;
   }
 
   private marking() {
     const count = this.subject.marks?.length ?? 0;
-    const how = this.choice === "this" ? "Draw a line on what is meant and not in colour yet." : "Draw a line on what is in colour and not meant.";
-    return html`<p class="small quiet how">${how} A short one will do; a tap is a dot.</p>
-      <button ?disabled=${count === 0 || this.busy} @click=${() => tell(this, "clear-marks", null)}>${icons.clear}Clear marks</button>`;
+    const how = this.choice === "this" ? msg("Draw a line on what is meant and not in colour yet.") : msg("Draw a line on what is in colour and not meant.");
+    return html`<p class="small quiet how">${msg(str`${how} A short one will do; a tap is a dot.`)}</p>
+      <button ?disabled=${count === 0 || this.busy} @click=${() => tell(this, "clear-marks", null)}>${icons.clear}${msg("Clear marks")}</button>`;
   }
 
   private painting() {
     const { subject, adds, width } = this;
     return html`${segmented({
-        legend: "The brush",
+        legend: msg("The brush"),
         name: "brush",
         options: [
-          { value: "add", words: "Adds", title: "Paint what belongs to the object (X)" },
-          { value: "remove", words: "Removes", title: "Paint what does not (X)" },
+          { value: "add", words: msg("Adds"), title: msg("Paint what belongs to the object (X)") },
+          { value: "remove", words: msg("Removes"), title: msg("Paint what does not (X)") },
         ],
         value: adds ? "add" : "remove",
         choose: (value) => (this.adds = value === "add"),
       })}
       <div class="field">
-        <label for="width">Size, % of the picture</label>
+        <label for="width">${msg("Size, % of the picture")}</label>
         <div class="amount">
           <input id="width" type="range" min=${WIDTH.least} max=${WIDTH.most} .value=${String(width)} @input=${this.setWidth} />
-          <input type="number" aria-label="Size, percent of the picture" min=${WIDTH.least} max=${WIDTH.most} .value=${String(width)} @change=${this.setWidth} />
+          <input type="number" aria-label=${msg("Size, percent of the picture")} min=${WIDTH.least} max=${WIDTH.most} .value=${String(width)} @change=${this.setWidth} />
         </div>
       </div>
       <button ?disabled=${subject.strokes.length === 0} @click=${() => tell(this, "paint", { strokes: [] })}>
-        ${icons.reset} ${subject.found ? "Use what was found" : "Take the strokes away"}
+        ${icons.reset} ${subject.found ? msg("Use what was found") : msg("Take the strokes away")}
       </button>`;
   }
 
   private told(): string {
     const { found, strokes, marks, box } = this.subject;
-    if (this.busy) return "Looking for the object…";
-    const painted = strokes.length === 1 ? "1 stroke" : `${strokes.length} strokes`;
-    if (!found) return strokes.length === 0 ? "Nothing found. Paint over the object." : `${painted}. Nothing was found to begin with.`;
-    if (strokes.length > 0) return `${painted} of the brush over what was found.`;
+    if (this.busy) return msg("Looking for the object…");
+    const painted = counted(strokes.length, msg("1 stroke"), msg(str`${strokes.length} strokes`));
+    if (!found) return strokes.length === 0 ? msg("Nothing found. Paint over the object.") : msg(str`${painted}. Nothing was found to begin with.`);
+    if (strokes.length > 0) return msg(str`${painted} of the brush over what was found.`);
     if (isPointedAt(this.subject)) {
-      const count = marks?.length ?? 0;
-      const by = [box ? "a box" : "", count === 1 ? "1 mark" : count > 0 ? `${count} marks` : ""].filter(Boolean).join(" and ");
-      return `Found, by ${by}. Draw on what is missing or too much.`;
+      const number = marks?.length ?? 0;
+      const by = listed([box ? msg("a box") : "", number > 0 ? counted(number, msg("1 mark"), msg(str`${number} marks`)) : ""].filter(Boolean));
+      return msg(str`Found, by ${by}. Draw on what is missing or too much.`);
     }
-    return found.isSure === false ? "Which thing is it? Draw on it, or drag a box round it." : "In colour: what was found. Draw on what is missing or too much.";
+    return found.isSure === false ? msg("Which thing is it? Draw on it, or drag a box round it.") : msg("In colour: what was found. Draw on what is missing or too much.");
   }
 
   private step(words: string, icon: TemplateResult, label: string | null, kind: "undo" | "redo") {

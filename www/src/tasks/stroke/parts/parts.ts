@@ -1,5 +1,6 @@
 /** What the page shows of one picture. */
 
+import { msg } from "@lit/localize";
 import { html, type LitElement } from "lit";
 import { redo, undo } from "../../../state/actions/actions";
 import { givenFor, passingOf } from "../../../state/contract/state";
@@ -20,9 +21,9 @@ const BRUSH = "brush";
 function point({ studio }: Page, event: Told<"give-box"> | Told<"mark"> | Told<"clear-marks">): void {
   const taker = studio.taker(stroke);
   const { detail } = event;
-  if (!detail) void taker.point("Clear the marks", (subject) => ({ ...subject, marks: [] }));
-  else if ("box" in detail) void taker.point(detail.box ? "Put a box round the object" : "Remove the box", (subject) => hintsWithBox(subject, detail.box));
-  else void taker.point(detail.mark.adds ? "Mark the object" : "Mark what is not the object", (subject) => hintsWithMark(subject, detail.mark), true);
+  if (!detail) void taker.point(msg("Clear the marks"), (subject) => ({ ...subject, marks: [] }));
+  else if ("box" in detail) void taker.point(detail.box ? msg("Put a box round the object") : msg("Remove the box"), (subject) => hintsWithBox(subject, detail.box));
+  else void taker.point(detail.mark.adds ? msg("Mark the object") : msg("Mark what is not the object"), (subject) => hintsWithMark(subject, detail.mark), true);
 }
 
 export const parts: TaskParts = {

@@ -1,8 +1,9 @@
+import { msg, str } from "@lit/localize";
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { presetOf } from "../../../state/settings/values";
 import { tableOf, type Studio, type StudioState } from "../../../state/studio";
-import { count } from "../../../state/common/count";
+import { count } from "../../../words/numbers";
 import { Part } from "../../../view/part";
 import { choiceStyle } from "../../../ui/shared/choice";
 import { segmentedStyle } from "../../../ui/shared/segmented";
@@ -76,22 +77,22 @@ export class StrokeChoices extends Part {
     const set = (points: number): void => this.studio.options.set("control_points", String(points));
     return html`<div class="choice" role="group" aria-labelledby="abstraction">
       <div class="head">
-        <span id="abstraction">Abstraction</span>
-        <label><input class="auto" type="checkbox" ?disabled=${this.locked} .checked=${auto} @change=${(event: Event) => set((event.target as HTMLInputElement).checked ? 0 : POINTS[1] / 2)} /> Auto</label>
+        <span id="abstraction">${msg("Abstraction")}</span>
+        <label><input class="auto" type="checkbox" ?disabled=${this.locked} .checked=${auto} @change=${(event: Event) => set((event.target as HTMLInputElement).checked ? 0 : POINTS[1] / 2)} /> ${msg("Auto")}</label>
       </div>
       <input
-        class=${auto ? "points left" : "points"}
+        class=${auto ? msg("points left") : "points"}
         type="range"
         ?disabled=${this.locked}
-        aria-label="Abstraction, by the number of control points"
-        aria-valuetext=${auto ? "chosen by the app" : `${count(points)} control points`}
+        aria-label=${msg("Abstraction, by the number of control points")}
+        aria-valuetext=${auto ? msg("chosen by the app") : msg(str`${count(points)} control points`)}
         min=${POINTS[0]}
         max=${POINTS[1]}
         step=${POINTS[2]}
         .value=${String(auto ? POINTS[1] : points)}
         @change=${(event: Event) => set(Number((event.target as HTMLInputElement).value))}
       />
-      <div class="ends"><span>A few bends</span><b>${auto ? "As many as it takes" : `${count(points)} points`}</b><span>Every line</span></div>
+      <div class="ends"><span>${msg("A few bends")}</span><b>${auto ? msg("As many as it takes") : msg(str`${count(points)} points`)}</b><span>${msg("Every line")}</span></div>
     </div>`;
   }
 
@@ -101,8 +102,8 @@ export class StrokeChoices extends Part {
     const unit = "px";
     return html`<div class="choice" role="group" aria-labelledby="widths">
       <div class="head">
-        <span id="widths">Width of the wire</span>
-        <label><input class="constant" type="checkbox" ?disabled=${this.locked} .checked=${constant} @change=${this.makeConstant} /> Constant</label>
+        <span id="widths">${msg("Width of the wire")}</span>
+        <label><input class="constant" type="checkbox" ?disabled=${this.locked} .checked=${constant} @change=${this.makeConstant} /> ${msg("Constant")}</label>
       </div>
       <two-ended
         .min=${WIDTHS[0]}
@@ -110,13 +111,13 @@ export class StrokeChoices extends Part {
         .step=${WIDTHS[2]}
         .low=${least}
         .high=${most}
-        .names=${["Thinnest", "Thickest"]}
-        .unit=${"pixels of 256"}
+        .names=${[msg("Thinnest"), msg("Thickest")]}
+        .unit=${msg("pixels of 256")}
         ?together=${constant}
         ?disabled=${this.locked}
         @choose=${(event: CustomEvent<Ends>) => this.setWidths(event.detail)}
       ></two-ended>
-      <div class="ends"><b>${constant ? `${shown(least)} ${unit}` : `${shown(least)} to ${shown(most)} ${unit}`}</b><span>in a picture of 256 px</span></div>
+      <div class="ends"><b>${constant ? `${shown(least)} ${unit}` : msg(str`${shown(least)} to ${shown(most)} ${unit}`)}</b><span>${msg("in a picture of 256 px")}</span></div>
     </div>`;
   }
 
@@ -138,7 +139,7 @@ export class StrokeChoices extends Part {
   };
 
   private setWidths({ low, high }: Ends): void {
-    this.studio.options.setAll({ min_width: String(low), max_width: String(Math.max(LEAST_MOST, high)) }, "Set the width", "set width");
+    this.studio.options.setAll({ min_width: String(low), max_width: String(Math.max(LEAST_MOST, high)) }, msg("Set the width"), "set width");
   }
 }
 

@@ -1,5 +1,6 @@
 /** A picture with its object in full colour and all else veiled; to be tapped, or pointed at and painted on with mouse, pen, finger or keys. */
 
+import { msg, str } from "@lit/localize";
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Ink } from "../../../engine/protocol";
@@ -52,7 +53,7 @@ export class SubjectCanvas extends Part {
   @property({ attribute: false }) foresee: ((mark: MaskStroke) => Promise<FoundObject | null>) | null = null;
   /** What went wrong with the last mark, or empty. */
   @property() problem = "";
-  @property() name = "Picture";
+  @property() name = msg("Picture");
   /** Whether a finger's drag makes a box, too; else it scrolls. */
   @property({ type: Boolean }) asks = false;
   /** Where a box began, and as far as it was dragged. */
@@ -102,7 +103,7 @@ export class SubjectCanvas extends Part {
   override render() {
     const { subject, tool, brush } = this;
     const works = subject && tool && tool.kind !== "choose";
-    const keys = `Arrow keys move the ${brush ? "brush" : "corner"}, with Shift in larger steps. Space starts and ends a ${brush ? "stroke" : "box"}. Escape takes it back.`;
+    const keys = msg(str`Arrow keys move the ${brush ? "brush" : "corner"}, with Shift in larger steps. Space starts and ends a ${brush ? "stroke" : "box"}. Escape takes it back.`);
     return html`<div
         part="frame"
         class="frame ${works ? "workable" : tool ? "tappable" : ""} ${this.asks ? "asks" : ""}"
@@ -276,23 +277,23 @@ export class SubjectCanvas extends Part {
       this.goTo([Math.min(1, Math.max(0, x)), Math.min(1, Math.max(0, y))], this.painting);
       if (this.painting && this.dragged) this.dragged = { ...this.dragged, to: this.at };
     } else if (event.key === " " && !event.repeat) {
-      const where = `${Math.round(100 * this.at[0])}% across, ${Math.round(100 * this.at[1])}% down`;
+      const where = msg(str`${Math.round(100 * this.at[0])}% across, ${Math.round(100 * this.at[1])}% down`);
       const { painting, brush } = this;
       if (!brush) {
         this.painting = !painting;
         if (!painting) this.dragged = { from: this.at, to: this.at };
         const done = painting && this.endBox();
-        this.told = !painting ? `One corner at ${where}.` : done ? `The other corner at ${where}.` : "That box has no area. Start it again.";
+        this.told = !painting ? msg(str`One corner at ${where}.`) : done ? msg(str`The other corner at ${where}.`) : msg("That box has no area. Start it again.");
       } else if (painting) {
         this.finish();
-        this.told = `Brush lifted at ${where}.`;
+        this.told = msg(str`Brush lifted at ${where}.`);
       } else {
         this.painting = true;
         this.goTo(this.at, true);
-        this.told = `Brush down at ${where}.`;
+        this.told = msg(str`Brush down at ${where}.`);
       }
     } else if (event.key === "Escape" && (this.points.length > 0 || this.dragged)) {
-      this.told = this.dragged ? "Box taken back." : "Stroke taken back.";
+      this.told = this.dragged ? msg("Box taken back.") : msg("Stroke taken back.");
       this.cancel();
     } else return;
     event.preventDefault();

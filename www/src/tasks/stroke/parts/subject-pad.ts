@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { paintSample, sampleFile, SAMPLES, type Sample } from "../example/samples";
@@ -51,7 +52,7 @@ export class SubjectPad extends Part {
     return html`
       <section
         class="${this.landing.over ? "over" : ""} ${busy ? "busy" : ""} ${subject || busy ? "" : "empty"}"
-        aria-label="Picture"
+        aria-label=${msg("Picture")}
         aria-busy=${busy}
         @dragover=${this.landing.dragOver}
         @dragleave=${this.landing.dragLeave}
@@ -59,33 +60,33 @@ export class SubjectPad extends Part {
         @paste=${this.paste}
       >
         <div class="head">
-          <h2>Picture</h2>
+          <h2>${msg("Picture")}</h2>
           <span class="aside small quiet" title=${subject?.picture.name ?? nothing}>${subject?.picture.name}</span>
         </div>
         <div class="row">
           <div class="sheet">
             <subject-canvas class="shown" .subject=${subject} name=${this.described()} .tool=${CHOOSE} ?asks=${this.asks} @tap=${this.tapped} @box=${this.boxed}></subject-canvas>
             ${subject || busy ? nothing : this.invitation()}
-            ${this.landing.over ? html`<div class="landing">Drop it here</div>` : nothing}
+            ${this.landing.over ? html`<div class="landing">${msg("Drop it here")}</div>` : nothing}
             ${problem && problem !== this.readProblem
               ? html`<p class="problem small" role="alert">
-                  <button class="plain square" aria-label="Close this message" @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
+                  <button class="plain square" aria-label=${msg("Close this message")} @click=${() => (this.readProblem = problem)}>${icons.close}</button>${problem}
                 </p>`
               : nothing}
           </div>
           ${subject || busy
-            ? html`<div class="tools" role="group" aria-label="Tools for the picture">
-                ${this.tool("Mark", "Say what is meant, with a box, marks or a brush", icons.brush, () => tell(this, "open-brush", null))}
-                ${this.tool("Replace", "Choose another picture", icons.picture, () => this.file.click())}
-                ${this.tool("Clear", "Take the picture away", icons.clear, () => tell(this, "clear-subject", null))}
+            ? html`<div class="tools" role="group" aria-label=${msg("Tools for the picture")}>
+                ${this.tool(msg("Mark"), msg("Say what is meant, with a box, marks or a brush"), icons.brush, () => tell(this, "open-brush", null))}
+                ${this.tool(msg("Replace"), msg("Choose another picture"), icons.picture, () => this.file.click())}
+                ${this.tool(msg("Clear"), msg("Take the picture away"), icons.clear, () => tell(this, "clear-subject", null))}
               </div>`
             : this.shelf()}
         </div>
         <p class="line small quiet" role="status">${this.line()}</p>
         ${subject && isPointedAt(subject) ? this.pointed(subject) : nothing}
         ${subject ? [this.choice(subject), this.depth(subject)] : nothing}
-        <input id="file" type="file" accept="image/*" hidden tabindex="-1" aria-label="Picture" @change=${(event: Event) => this.chosen(event, "give")} />
-        <input id="depth-file" type="file" accept="image/*" hidden tabindex="-1" aria-label="Depth picture" @change=${(event: Event) => this.chosen(event, "give-depth")} />
+        <input id="file" type="file" accept="image/*" hidden tabindex="-1" aria-label=${msg("Picture")} @change=${(event: Event) => this.chosen(event, "give")} />
+        <input id="depth-file" type="file" accept="image/*" hidden tabindex="-1" aria-label=${msg("Depth picture")} @change=${(event: Event) => this.chosen(event, "give-depth")} />
         ${this.shooting ? html`<camera-dialog @close-camera=${this.putCameraAway}></camera-dialog>` : nothing}
       </section>
     `;
@@ -106,19 +107,19 @@ export class SubjectPad extends Part {
   private invitation() {
     const { locked } = this;
     return html`<div class="invitation">
-      <p>Drop, paste or choose one picture</p>
+      <p>${msg("Drop, paste or choose one picture")}</p>
       <div class="ways">
-        <button ?disabled=${locked} @click=${() => this.file.click()}>${icons.picture}Choose picture</button>
-        ${this.hasCamera ? html`<button id="camera" ?disabled=${locked} @click=${this.shoot}>${icons.camera}Camera</button>` : nothing}
+        <button ?disabled=${locked} @click=${() => this.file.click()}>${icons.picture}${msg("Choose picture")}</button>
+        ${this.hasCamera ? html`<button id="camera" ?disabled=${locked} @click=${this.shoot}>${icons.camera}${msg("Camera")}</button>` : nothing}
       </div>
     </div>`;
   }
 
   private shelf() {
-    return html`<div class="shelf small quiet" role="group" aria-label="Pictures to try">
-      <p>Or try one of these</p>
+    return html`<div class="shelf small quiet" role="group" aria-label=${msg("Pictures to try")}>
+      <p>${msg("Or try one of these")}</p>
       ${SAMPLES.map(
-        (sample) => html`<button title=${sample.name} aria-label="Try the ${sample.name.toLowerCase()}" ?disabled=${this.locked} @click=${() => this.take(sample)}>
+        (sample) => html`<button title=${sample.name} aria-label=${msg(str`Try the ${sample.name.toLowerCase()}`)} ?disabled=${this.locked} @click=${() => this.take(sample)}>
           <canvas width=${SHELF_PX} height=${SHELF_PX} data-sample=${sample.name}></canvas>
         </button>`,
       )}
@@ -128,14 +129,14 @@ export class SubjectPad extends Part {
   /** One line, always there: nothing jumps when it is filled. */
   private line() {
     const { subject, busy, note } = this;
-    if (busy) return subject ? "Looking for the object…" : "Reading…";
-    if (!subject) return "Your picture stays on this device.";
-    if (this.asks && !note) return "Which thing is it? Drag a box round it, or mark it.";
+    if (busy) return subject ? msg("Looking for the object…") : "Reading…";
+    if (!subject) return msg("Your picture stays on this device.");
+    if (this.asks && !note) return msg("Which thing is it? Drag a box round it, or mark it.");
     const words = note || subject.found?.notes.join(" ");
     if (words) return html`<span title=${words}>${words}</span>`;
-    if (subject.strokes.length > 0) return "In colour: the object, with your strokes.";
-    if (isPointedAt(subject)) return "Found. Mark what is missing or too much.";
-    return subject.found ? "In colour: what is taken for the object." : "Nothing found. Press Mark and paint over the object.";
+    if (subject.strokes.length > 0) return msg("In colour: the object, with your strokes.");
+    if (isPointedAt(subject)) return msg("Found. Mark what is missing or too much.");
+    return subject.found ? msg("In colour: what is taken for the object.") : msg("Nothing found. Press Mark and paint over the object.");
   }
 
   /** Whether it is not clear what is meant, and nobody has said. */
@@ -150,17 +151,17 @@ export class SubjectPad extends Part {
 
   private described(): string {
     const { subject } = this;
-    if (!subject) return "Picture: none yet";
+    if (!subject) return msg("Picture: none yet");
     const { picture, found, strokes, object } = subject;
-    const which = found && found.count > 1 ? `, thing ${object} of ${found.count}` : "";
-    return `${picture.name}, ${found ? `its object in colour${which}` : "no object found"}${strokes.length > 0 ? ", corrected by hand" : ""}`;
+    const which = found && found.count > 1 ? msg(str`, thing ${object} of ${found.count}`) : "";
+    return `${picture.name}, ${found ? msg(str`its object in colour${which}`) : msg("no object found")}${strokes.length > 0 ? msg(", corrected by hand") : ""}`;
   }
 
   private pointed({ box, marks }: Subject) {
     const idle = !this.locked && !this.busy;
     return html`<div class="pointed">
-      ${box ? html`<button ?disabled=${!idle} @click=${() => tell(this, "give-box", { box: null })}>Remove the box</button>` : nothing}
-      ${marks?.length ? html`<button ?disabled=${!idle} @click=${() => tell(this, "clear-marks", null)}>Clear marks</button>` : nothing}
+      ${box ? html`<button ?disabled=${!idle} @click=${() => tell(this, "give-box", { box: null })}>${msg("Remove the box")}</button>` : nothing}
+      ${marks?.length ? html`<button ?disabled=${!idle} @click=${() => tell(this, "clear-marks", null)}>${msg("Clear marks")}</button>` : nothing}
     </div>`;
   }
 
@@ -171,9 +172,9 @@ export class SubjectPad extends Part {
     const shown = Array.from({ length: most }, (_, i) => i + 1);
     if (object > most) shown.push(object);
     return segmented({
-      legend: `${found.count} things found; tap another to choose it`,
+      legend: msg(str`${found.count} things found; tap another to choose it`),
       name: "object",
-      options: shown.map((number) => ({ value: String(number), words: String(number), title: number === 1 ? "The largest" : "" })),
+      options: shown.map((number) => ({ value: String(number), words: String(number), title: number === 1 ? msg("The largest") : "" })),
       value: String(object),
       locked: this.locked || this.busy,
       choose: (value) => tell(this, "choose-object", { object: Number(value) }),
@@ -183,14 +184,14 @@ export class SubjectPad extends Part {
   private depth({ picture: { width, height }, depth }: Subject) {
     const { locked } = this;
     return html`<details>
-      <summary><span class="small">Depth picture</span><span class="aside small quiet">${depth ? depth.name : "none"}</span>${icons.more}</summary>
+      <summary><span class="small">${msg("Depth picture")}</span><span class="aside small quiet">${depth ? depth.name : "none"}</span>${icons.more}</summary>
       <div class="group">
         <p class="small quiet">
-          Where you have one, it says how near each place is: light is near, dark is far. It must have the picture's size, ${width} × ${height}.
+          ${msg(str`Where you have one, it says how near each place is: light is near, dark is far. It must have the picture's size, ${width} × ${height}.`)}
         </p>
         ${depth
-          ? html`<button ?disabled=${locked} @click=${() => tell(this, "clear-depth", null)}>${icons.clear}Take it away</button>`
-          : html`<button ?disabled=${locked} @click=${() => this.depthFile.click()}>${icons.picture}Add a depth picture</button>`}
+          ? html`<button ?disabled=${locked} @click=${() => tell(this, "clear-depth", null)}>${icons.clear}${msg("Take it away")}</button>`
+          : html`<button ?disabled=${locked} @click=${() => this.depthFile.click()}>${icons.picture}${msg("Add a depth picture")}</button>`}
       </div>
     </details>`;
   }
@@ -219,7 +220,7 @@ export class SubjectPad extends Part {
   }
 
   private give(file: File, kind: "give" | "give-depth" = "give"): void {
-    if (!this.locked) tell(this, kind, { file, name: file.name || (kind === "give" ? "The picture" : "The depth picture") });
+    if (!this.locked) tell(this, kind, { file, name: file.name || (kind === "give" ? msg("The picture") : msg("The depth picture")) });
   }
 
   private chosen(event: Event, kind: "give" | "give-depth"): void {

@@ -1,3 +1,4 @@
+import { msg } from "@lit/localize";
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { WireShape } from "#sculpture/scene/shape";
@@ -8,12 +9,12 @@ import { outlooks, outlookStyle, type Outlook } from "../../../ui/shared/outlook
 import { controls } from "../../../ui/shared/shared";
 
 const TURNED: readonly Outlook[] = [
-  { azimuth: 35, elevation: 0, words: "35° right" },
-  { azimuth: 90, elevation: 0, words: "side" },
-  { azimuth: 180, elevation: 0, words: "back" },
-  { azimuth: -35, elevation: 0, words: "35° left" },
-  { azimuth: 35, elevation: 40, words: "from above" },
-  { azimuth: 0, elevation: 90, words: "top" },
+  { azimuth: 35, elevation: 0, words: msg("35° right") },
+  { azimuth: 90, elevation: 0, words: msg("side") },
+  { azimuth: 180, elevation: 0, words: msg("back") },
+  { azimuth: -35, elevation: 0, words: msg("35° left") },
+  { azimuth: 35, elevation: 40, words: msg("from above") },
+  { azimuth: 0, elevation: 90, words: msg("top") },
 ];
 const VIEWS = TURNED.map((turned) => viewFrom(turned, turned.words));
 
@@ -35,7 +36,7 @@ export class TurnedViews extends Part {
 
   override render() {
     return html`
-      <h2>As it turns</h2>
+      <h2>${msg("As it turns")}</h2>
       ${outlooks(TURNED)}
     `;
   }

@@ -1,3 +1,4 @@
+import { msg, str } from "@lit/localize";
 import { html, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { Part } from "../../../view/part";
@@ -17,7 +18,7 @@ export class TwoEnded extends Part {
   @property({ attribute: false }) step = 0.1;
   @property({ attribute: false }) low = 0;
   @property({ attribute: false }) high = 1;
-  @property({ attribute: false }) names: readonly [low: string, high: string] = ["From", "To"];
+  @property({ attribute: false }) names: readonly [low: string, high: string] = [msg("From"), msg("To")];
   @property({ attribute: false }) unit = "";
   /** Both ends are one. */
   @property({ type: Boolean }) together = false;
@@ -31,7 +32,7 @@ export class TwoEnded extends Part {
     const { low, high } = this.ends;
     return html`<div class="track ${this.disabled ? "off" : ""}">
       <i class="between"></i>
-      ${this.together ? this.end("low", low, `${this.names[0]} and ${this.names[1].toLowerCase()}`) : [this.end("low", low, this.names[0]), this.end("high", high, this.names[1])]}
+      ${this.together ? this.end("low", low, msg(str`${this.names[0]} and ${this.names[1].toLowerCase()}`)) : [this.end("low", low, this.names[0]), this.end("high", high, this.names[1])]}
     </div>`;
   }
 

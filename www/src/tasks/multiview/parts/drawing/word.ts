@@ -1,15 +1,16 @@
 /** A word, letters of any script or an emoji as a stamp: written with the fonts of this device, as large as the sheet lets it. */
 
+import { msg } from "@lit/localize";
 import { PAPER_PX } from "../../paper";
 import { glyphInk } from "./word-glyph";
 import { graphemes, layOut } from "./word-layout";
 
 export const FONTS = {
   round: { label: "Figtree", family: '"Figtree", sans-serif' },
-  plain: { label: "Plain", family: "system-ui, sans-serif" },
-  serif: { label: "Serif", family: "serif" },
-  typewriter: { label: "Typewriter", family: "monospace" },
-  handwriting: { label: "Handwriting", family: "cursive" },
+  plain: { label: msg("Plain"), family: "system-ui, sans-serif" },
+  serif: { label: msg("Serif"), family: "serif" },
+  typewriter: { label: msg("Typewriter"), family: "monospace" },
+  handwriting: { label: msg("Handwriting"), family: "cursive" },
 } as const;
 export type Font = keyof typeof FONTS;
 

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { count } from "./count";
+import { count } from "./numbers";
 
 it("groups digits by three", () => {
   expect([0, 999, 1100, 9_007_199_254_740_991, -20_000, 1234.5678, 0.0001].map(count)).toEqual([

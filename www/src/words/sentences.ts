@@ -1,12 +1,14 @@
 /** Sentences for people out of what programs say. */
 
-import { Problem } from "../../engine/client";
+import { msg, str } from "@lit/localize";
+import { Problem } from "../engine/client";
+import { told } from "./told";
 
 /** The core writes "input: problem; remedy"; a page starts sentences with a capital (but leaves file names alone) and
  * ends them with a full stop. */
 export function asSentence(text: string): string {
-  const trimmed = text.trim();
-  const ended = /[.!?]$/.test(trimmed) ? trimmed : `${trimmed}.`;
+  const trimmed = told(text.trim());
+  const ended = /[.!?。！？]$/.test(trimmed) ? trimmed : `${trimmed}.`;
   const isFile = /^[^:]*\.\w+:/.test(ended);
   return isFile ? ended : ended.charAt(0).toUpperCase() + ended.slice(1);
 }
@@ -15,16 +17,14 @@ export function asSentence(text: string): string {
 export function explain(error: unknown, what: string): string {
   if (error instanceof Problem) return asSentence(error.message);
   console.error(error);
-  return `${what} did not work out. Nothing is lost; please try again.`;
+  return msg(str`${what} did not work out. Nothing is lost; please try again.`);
 }
 
-export const DURING_A_RUN = "A run is under way. Wait for its end, or stop it; then open this again.";
+export const DURING_A_RUN = msg("A run is under way. Wait for its end, or stop it; then open this again.");
 
 /** What a file without a name is called. */
-export const named = (name: string): string => name || "The file";
-
-export const percent = (share: number): string => `${Math.round(100 * share)}%`;
+export const named = (name: string): string => name || msg("The file");
 
 export function timeLeft(seconds: number): string {
-  return seconds < 60 ? `about ${seconds} s left` : `about ${Math.ceil(seconds / 60)} min left`;
+  return seconds < 60 ? msg(str`about ${seconds} s left`) : msg(str`about ${Math.ceil(seconds / 60)} min left`);
 }

@@ -1,6 +1,6 @@
 import { expect, it, vi } from "vitest";
-import { Problem } from "../../engine/client";
-import { asSentence, explain, timeLeft } from "./words";
+import { Problem } from "../engine/client";
+import { asSentence, explain, timeLeft } from "./sentences";
 
 it("makes sentences of what the core says", () => {
   expect(asSentence("front.png: is blank; draw something in it")).toBe("front.png: is blank; draw something in it.");
