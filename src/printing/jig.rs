@@ -159,7 +159,7 @@ fn groove(ends: [DVec3; 2], radius: f64, top: f64) -> Body {
 pub fn jig(strands: &Strands, printer: &Printer) -> Result<Jig> {
     let [low, high] = strands.bounds().map(|corner| corner.truncate());
     // Numbers stand beside posts.
-    let margin = 4.0 * NUMBER_MM;
+    let margin = DVec2::new(3.0, 1.5) * NUMBER_MM;
     let tiles = Tiles::new([low - margin, high + margin], printer);
     let posts = posts(strands, printer, &tiles);
     if posts.is_empty() {
