@@ -37,6 +37,10 @@ impl Metal {
     /// All of them.
     pub const ALL: [Metal; 3] = [Metal::Copper, Metal::Aluminium, Metal::Steel];
 
+    /// Where the numbers are from, for who is told them.
+    pub const SOURCE: &str = "ASM Handbook, volumes 1 and 2 (density, elongation, stiffness); Kalpakjian and Schmid, Manufacturing \
+                              Engineering and Technology (flow curves; least bend radius from elongation)";
+
     /// As people write it.
     pub fn name(self) -> &'static str {
         match self {
@@ -101,7 +105,7 @@ fn shape(n: f64) -> f64 {
         let (sin, cos) = (FRAC_PI_2 * i as f64 / STEPS as f64).sin_cos();
         sin.powf(n + 1.0) * cos * cos
     };
-    let weight = |i: usize| if i % STEPS == 0 { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
+    let weight = |i: usize| if i.is_multiple_of(STEPS) { 1.0 } else { 2.0 + 2.0 * (i % 2) as f64 };
     4.0 * FRAC_PI_2 / (3.0 * STEPS as f64) * (0..=STEPS).map(|i| weight(i) * at(i)).sum::<f64>()
 }
 

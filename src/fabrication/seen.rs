@@ -49,13 +49,17 @@ pub struct Run {
     pub hidden: bool,
 }
 
-/// The steps from the first to the last of `stretch`, as they look from `side` where nothing is there but the steps of `around`.
-pub fn runs(line: &Centreline, side: Side, stretch: [usize; 2], around: [usize; 2]) -> Vec<Run> {
-    let of = |[from, to]: [usize; 2]| (from..=to).map(|i| side.project(line.point(i)));
+/// The steps from the first to the last of `stretch`, as they look from `side` where nothing is there but the steps of `around`;
+/// `every` of them are taken as one.
+pub fn runs(line: &Centreline, side: Side, stretch: [usize; 2], around: [usize; 2], every: usize) -> Vec<Run> {
+    let of = |[from, to]: [usize; 2]| {
+        let steps = (from..to).step_by(every).chain([to]);
+        steps.map(|i| side.project(line.point(i)))
+    };
     let others: Vec<(DVec2, f64)> = of(around).collect();
     let flat: Vec<DVec3> = others.iter().map(|(at, _)| at.extend(0.0)).collect();
     // A step may reach as far over a place as the wire does.
-    let reach = 0.5 * line.gauge_mm() + 0.5 * line.step_mm();
+    let reach = 0.5 * line.gauge_mm() + 0.5 * every as f64 * line.step_mm();
     let grid = Grid::new(&flat, reach);
     let mut runs: Vec<Run> = Vec::new();
     for (at, near) in of(stretch) {
@@ -114,13 +118,13 @@ mod tests {
         let points = points.map(|t| [t.cos(), 0.6 * (2.0 * t).sin(), 0.05 * t.sin(), 0.02]).collect();
         let line = Centreline::new(&Wire::closed_uniform(points).unwrap(), 200.0, 2.0).unwrap();
         let all = [0, line.steps()];
-        let hidden: Vec<Run> = runs(&line, Side::FRONT, all, all).into_iter().filter(|run| run.hidden).collect();
+        let hidden: Vec<Run> = runs(&line, Side::FRONT, all, all, 1).into_iter().filter(|run| run.hidden).collect();
         let [run] = &hidden[..] else { panic!("{} stretches", hidden.len()) };
         assert!(run.places.iter().all(|at| at.length() < 3.0), "{:?}", run.places);
         let behind = Side { azimuth_deg: 180.0, elevation_deg: 0.0 };
-        assert_eq!(runs(&line, behind, all, all).iter().filter(|run| run.hidden).count(), 1);
+        assert_eq!(runs(&line, behind, all, all, 1).iter().filter(|run| run.hidden).count(), 1);
         // With the first half alone nothing is in the way.
         let half = [0, line.steps() / 2];
-        assert!(runs(&line, Side::FRONT, half, half).iter().all(|run| !run.hidden));
+        assert!(runs(&line, Side::FRONT, half, half, 1).iter().all(|run| !run.hidden));
     }
 }

@@ -15,6 +15,9 @@ const ELEVATIONS: [f64; 4] = [-20.0, 0.0, 30.0, 60.0];
 const STEEP: f64 = 0.05;
 const TURNED: f64 = 0.03;
 
+/// A side is judged by no more steps of the line than these.
+const MOST_STEPS: usize = 4000;
+
 /// What is bent in one go.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
@@ -76,8 +79,9 @@ pub fn range(line: &Centreline, [from_mm, to_mm]: [f64; 2]) -> [usize; 2] {
 fn best_side(line: &Centreline, stretch_mm: [f64; 2]) -> (Side, f64) {
     let stretch = range(line, stretch_mm);
     let length = (stretch_mm[1] - stretch_mm[0]).max(1e-9);
+    let every = stretch[1].div_ceil(MOST_STEPS).min((stretch[1] - stretch[0]).max(1));
     let seen = |side: Side| {
-        let runs = runs(line, side, stretch, [0, stretch[1]]);
+        let runs = runs(line, side, stretch, [0, stretch[1]], every);
         let lengths = runs.iter().filter(|run| !run.hidden).flat_map(|run| run.places.windows(2));
         (lengths.map(|pair| pair[0].distance(pair[1])).sum::<f64>() / length).min(1.0)
     };

@@ -54,6 +54,7 @@ pub fn command() -> Command {
 struct Report<'a> {
     size_mm: f64,
     stock: &'a Stock,
+    metals_source: &'a str,
     said: &'a [String],
     check: &'a Check,
     bends: &'a BendList,
@@ -80,7 +81,15 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let steps = steps(&line, &bends);
     let mut said = check.sentences(&stock);
     said.extend(wanted.write(&folder, &made.wire, size_mm, stock.gauge_mm)?);
-    let report = Report { size_mm, stock: &stock, said: &said, check: &check, bends: &bends, steps: &steps };
+    let report = Report {
+        size_mm,
+        stock: &stock,
+        metals_source: Metal::SOURCE,
+        said: &said,
+        check: &check,
+        bends: &bends,
+        steps: &steps,
+    };
     let job = Job { name, line: &line, stock: &stock, check: &check, bends: &bends, steps: &steps };
     let json = serde_json::to_string_pretty(&report).expect("plain numbers and words");
     folder.write("build.json", json.as_bytes())?;

@@ -5,6 +5,9 @@ mod pages;
 mod sheet;
 mod views;
 
+#[cfg(test)]
+mod tests;
+
 use crate::{BendList, Centreline, Check, Step, Stock};
 use document::Document;
 use glam::DVec2;

@@ -5,7 +5,7 @@ use super::document::Document;
 use super::sheet::{Ink, Pen, Sheet, wrapped};
 use super::views::MARGIN;
 use crate::list::HEADINGS;
-use crate::seen::{runs, thinned};
+use crate::seen::{Side, runs, thinned};
 use crate::steps::{Step, range};
 use glam::DVec2;
 
@@ -15,6 +15,8 @@ const LINE: f64 = 6.0;
 const ROW: f64 = 5.0;
 /// Pictures of steps on a page, across and down.
 const PICTURES: [usize; 2] = [2, 3];
+/// A small picture has no more steps of the line than these.
+const MOST_STEPS: usize = 20_000;
 /// How far lines of small pictures may be off, mm.
 const TOLERANCE: f64 = 0.03;
 
@@ -58,6 +60,21 @@ pub fn cover(document: &mut Document, job: &Job, too_many: Option<usize>) {
             job.steps.len()
         ),
     );
+    // All of it, below the words.
+    let sides = [("Front", Side::FRONT), ("Side", Side::SIDE), ("Top", Side::TOP)];
+    let low = DVec2::new(MARGIN, MARGIN + 16.0);
+    let room = DVec2::new((size.x - 2.0 * MARGIN) / 3.0 - 4.0, (at.y - low.y - 8.0).min(90.0));
+    if room.y > 20.0 {
+        let scale = fitting(job, sides.iter().map(|(_, side)| *side), room);
+        for (i, (name, side)) in sides.into_iter().enumerate() {
+            let corner = low + DVec2::new(i as f64 * (room.x + 6.0), 0.0);
+            sheet.text(corner, 3.4, name);
+            let all = [0, job.line.steps()];
+            let mut drawing = Small::new(&mut sheet, job, side, corner + 0.5 * room + DVec2::Y * 6.0, scale);
+            let pen = Pen::new(drawing.width, Ink::Grey(0.25));
+            drawing.draw(all, all, [pen, pen]);
+        }
+    }
     sheet.ruler(DVec2::new(MARGIN, MARGIN + 2.0));
     document.page(sheet);
 }
@@ -107,6 +124,8 @@ pub fn steps(document: &mut Document, job: &Job) {
     let size = document.paper.size();
     let [across, down] = PICTURES.map(|count| count as f64);
     let cell = DVec2::new((size.x - 2.0 * MARGIN) / across, (size.y - 2.0 * MARGIN) / down);
+    let room = cell - DVec2::new(6.0, 22.0);
+    let scale = fitting(job, job.steps.iter().map(|step| step.side), room);
     let numbered: Vec<(usize, &Step)> = job.steps.iter().enumerate().collect();
     for page in numbered.chunks(PICTURES[0] * PICTURES[1]) {
         let mut sheet = Sheet::new();
@@ -116,7 +135,7 @@ pub fn steps(document: &mut Document, job: &Job) {
             sheet.heading(corner + DVec2::new(0.0, cell.y - 5.0), 4.2, &format!("Step {}", number + 1));
             sheet.text(corner + DVec2::new(0.0, cell.y - 9.5), 3.0, &step.sentence());
             sheet.text(corner + DVec2::new(0.0, cell.y - 13.5), 3.0, &from_where(step));
-            picture(&mut sheet, job, step, corner, cell - DVec2::new(6.0, 20.0));
+            picture(&mut sheet, job, step, corner, room, scale);
         }
         document.page(sheet);
     }
@@ -128,37 +147,60 @@ fn from_where(step: &Step) -> String {
         down if down < 0.0 => format!(", {:.0} degrees from below", -down),
         _ => String::new(),
     };
-    let round = match step.side.azimuth_deg.rem_euclid(360.0) {
-        azimuth if azimuth == 0.0 => "from the front".to_owned(),
-        azimuth if azimuth == 90.0 => "from the side".to_owned(),
-        azimuth if azimuth == 180.0 => "from behind".to_owned(),
-        azimuth if azimuth < 180.0 => format!("turned {azimuth:.0} degrees towards the side"),
-        azimuth => format!("turned {:.0} degrees the other way", 360.0 - azimuth),
+    let azimuth = step.side.azimuth_deg.rem_euclid(360.0);
+    let named = [(0.0, "from the front"), (90.0, "from the side"), (180.0, "from behind")];
+    let round = match named.into_iter().find(|(at, _)| *at == azimuth) {
+        Some((_, name)) => name.to_owned(),
+        None if azimuth < 180.0 => format!("turned {azimuth:.0} degrees towards the side"),
+        None => format!("turned {:.0} degrees the other way", 360.0 - azimuth),
     };
     format!("Seen {round}{level}")
 }
 
-/// What is there in grey, what is new in copper, in a box from `corner`; the same scale in all steps.
-fn picture(sheet: &mut Sheet, job: &Job, step: &Step, corner: DVec2, room: DVec2) {
-    let reach = job.line.half_box_mm();
-    // However it is turned, it fits.
-    let scale =
-        (0.5 * room.x / DVec2::new(reach.x, reach.z).length().max(1e-9)).min(0.5 * room.y / reach.length().max(1e-9));
-    let (middle, width) = (corner + 0.5 * room, (job.line.gauge_mm() * scale).clamp(0.35, 1.2));
-    let mut draw = |stretch: [usize; 2], around: [usize; 2], pens: [Pen; 2]| {
-        let runs = runs(job.line, step.side, stretch, around);
+/// What is there in grey, what is new in copper, in the middle of a box from `corner`.
+fn picture(sheet: &mut Sheet, job: &Job, step: &Step, corner: DVec2, room: DVec2, scale: f64) {
+    let [from, to] = range(job.line, [step.from_mm, step.to_mm]);
+    let mut drawing = Small::new(sheet, job, step.side, corner + 0.5 * room, scale);
+    let (grey, copper) = (Pen::new(drawing.width, Ink::Grey(0.68)), Pen::new(1.6 * drawing.width, Ink::Copper));
+    drawing.draw([0, from], [0, to], [grey, grey]);
+    drawing.draw([from, to], [0, to], [copper, copper.dashed(2.0 * drawing.width)]);
+    let begins = drawing.middle + step.side.project(job.line.point(0)).0 * scale;
+    sheet.dot(begins, 0.8);
+}
+
+/// The largest scale at which the wire fits into `room` from each of these sides, turned about its middle.
+fn fitting(job: &Job, sides: impl Iterator<Item = Side>, room: DVec2) -> f64 {
+    let reach = sides.flat_map(|side| job.line.points().iter().map(move |&point| side.project(point).0.abs()));
+    (0.5 * room / reach.fold(DVec2::splat(1e-9), DVec2::max)).min_element()
+}
+
+/// A small drawing of the wire from a side.
+struct Small<'a> {
+    sheet: &'a mut Sheet,
+    job: &'a Job<'a>,
+    side: Side,
+    middle: DVec2,
+    scale: f64,
+    /// Of its lines, mm.
+    width: f64,
+    /// Steps of the line that are one here.
+    every: usize,
+}
+
+impl<'a> Small<'a> {
+    fn new(sheet: &'a mut Sheet, job: &'a Job, side: Side, middle: DVec2, scale: f64) -> Small<'a> {
+        let every = job.line.steps().div_ceil(MOST_STEPS);
+        Small { sheet, job, side, middle, scale, every, width: (job.line.gauge_mm() * scale).clamp(0.35, 1.2) }
+    }
+
+    /// A stretch where nothing is there but the steps of `around`, with pens for what is seen and what is hidden.
+    fn draw(&mut self, stretch: [usize; 2], around: [usize; 2], pens: [Pen; 2]) {
+        let runs = runs(self.job.line, self.side, stretch, around, self.every);
         for hidden in [true, false] {
             for run in runs.iter().filter(|run| run.hidden == hidden) {
-                let places: Vec<DVec2> = run.places.iter().map(|&at| middle + at * scale).collect();
-                sheet.line(&thinned(&places, TOLERANCE), pens[usize::from(hidden)]);
+                let places: Vec<DVec2> = run.places.iter().map(|&at| self.middle + at * self.scale).collect();
+                self.sheet.line(&thinned(&places, TOLERANCE), pens[usize::from(hidden)]);
             }
         }
-    };
-    let [from, to] = range(job.line, [step.from_mm, step.to_mm]);
-    let grey = Pen::new(width, Ink::Grey(0.68));
-    draw([0, from], [0, to], [grey, grey]);
-    let copper = Pen::new(1.6 * width, Ink::Copper);
-    draw([from, to], [0, to], [copper, copper.dashed(2.0 * width)]);
-    let begins = middle + step.side.project(job.line.point(0)).0 * scale;
-    sheet.dot(begins, 0.8);
+    }
 }

@@ -19,6 +19,8 @@ const OVERLAP: f64 = 10.0;
 const ROOM: f64 = 8.0;
 /// Numbered points, mm apart.
 const POINTS_MM: f64 = 50.0;
+/// Numbers nearer than this, across and up, lie over each other, mm.
+const NUMBER: DVec2 = DVec2::new(3.6, 2.4);
 /// How far lines may be off, mm.
 const TOLERANCE: f64 = 0.02;
 
@@ -36,7 +38,7 @@ pub struct View<'a> {
 pub fn views(line: &Centreline) -> [View<'_>; 3] {
     [("Front", Side::FRONT), ("Side", Side::SIDE), ("Top", Side::TOP)].map(|(name, side)| {
         let all = [0, line.steps()];
-        let runs = runs(line, side, all, all);
+        let runs = runs(line, side, all, all, 1);
         let places = || runs.iter().flat_map(|run| &run.places).copied();
         let low = places().reduce(DVec2::min).unwrap_or_default() - ROOM;
         let high = places().reduce(DVec2::max).unwrap_or_default() + ROOM;
@@ -90,7 +92,7 @@ impl View<'_> {
             sheet.show(drawing, [low, high], low - tile.low);
             let name = format!("{}, true size: sheet {} ({} of {})", self.name, tile.label(), i + 1, tiles.len());
             sheet.heading(DVec2::new(MARGIN, MARGIN + 9.5), 4.2, &name);
-            let about = "Grey: the wire. Dashed: behind another strand. Numbers: every 50 mm from the start.";
+            let about = "Dashed: behind another strand. Numbers: every 50 mm from the start.";
             sheet.text(DVec2::new(MARGIN + 84.0, MARGIN + 9.5), 2.8, about);
             sheet.ruler(DVec2::new(MARGIN, MARGIN + 2.0));
             if tiles.len() > 1 {
@@ -104,21 +106,21 @@ impl View<'_> {
         let mut sheet = Sheet::new();
         let gauge = self.line.gauge_mm();
         let edge = (0.25 * gauge).min(0.2);
-        for hidden in [true, false] {
-            let lines: Vec<Vec<DVec2>> = self
-                .runs
-                .iter()
-                .filter(|run| run.hidden == hidden)
-                .map(|run| thinned(&run.places, TOLERANCE))
-                .collect();
-            let middle = Pen::new(0.25f64.min(0.3 * gauge), Ink::Grey(0.0));
-            let middle = if hidden { middle.dashed(0.8) } else { middle };
-            for pen in [Pen::new(gauge, Ink::Grey(0.45)), Pen::new(gauge - 2.0 * edge, Ink::Grey(0.88)), middle] {
-                for line in &lines {
-                    sheet.line(line, pen);
-                }
+        let lines = |hidden: bool| {
+            let runs = self.runs.iter().filter(move |run| run.hidden == hidden);
+            runs.map(|run| thinned(&run.places, TOLERANCE)).collect::<Vec<_>>()
+        };
+        let (seen, hidden) = (lines(false), lines(true));
+        let band = [Pen::new(gauge, Ink::Grey(0.45)), Pen::new(gauge - 2.0 * edge, Ink::Grey(0.88))];
+        let middle = Pen::new((0.3 * gauge).min(0.25), Ink::Grey(0.0));
+        // What is hidden lies below, but its middle is to be seen.
+        let layers = [(&hidden, band[0]), (&hidden, band[1]), (&seen, band[0]), (&seen, band[1]), (&seen, middle)];
+        for (lines, pen) in layers.into_iter().chain([(&hidden, middle.dashed(0.7))]) {
+            for line in lines {
+                sheet.line(line, pen);
             }
         }
+        let mut numbers: Vec<DVec2> = Vec::new();
         let count = (self.line.length_mm() / POINTS_MM) as usize;
         for number in 0..=count {
             let i = (number as f64 * POINTS_MM / self.line.step_mm()).round() as usize;
@@ -126,7 +128,12 @@ impl View<'_> {
             sheet.dot(at, 0.6);
             // Beside the wire.
             let aside = (next - at).perp().try_normalize().unwrap_or(DVec2::Y) * (0.5 * gauge + 1.6);
-            sheet.text(at + aside - DVec2::new(1.2, 0.8), 2.4, &number.to_string());
+            let beside = at + aside - DVec2::new(1.2, 0.8);
+            // A number over another would be no number.
+            if numbers.iter().all(|other| ((*other - beside) / NUMBER).length() > 1.0) {
+                sheet.text(beside, 2.4, &number.to_string());
+                numbers.push(beside);
+            }
         }
         sheet
     }

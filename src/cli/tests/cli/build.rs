@@ -46,6 +46,11 @@ fn a_wire_is_checked_at_a_size_and_gauge() {
     let box_mm = report["check"]["box_mm"].as_array().unwrap();
     let longest = box_mm.iter().filter_map(Value::as_f64).fold(0.0, f64::max);
     assert!((longest - 151.0).abs() < 0.5, "{box_mm:?}");
+    let pdf = fs::read(out.join("paper.pdf")).unwrap();
+    assert!(pdf.starts_with(b"%PDF-") && pdf.windows(9).any(|part| part == b"(Step 15)"));
+    let steps = report["steps"].as_array().unwrap();
+    assert!((15..=40).contains(&steps.len()));
+    assert!(steps.iter().all(|step| step["side"]["azimuth_deg"].is_number()));
     // Nothing is written over unless that is asked for.
     refused(&build(&wire("coil"), &out, &[]), "made");
     succeeds(&build(&wire("coil"), &out, &["--overwrite", "--quiet"]));
@@ -110,6 +115,7 @@ fn what_cannot_be_built_is_said_in_a_line() {
         (["--wire-mm", "1e9"], "--wire-mm"),
         (["--stock-mm", "0"], "--stock-mm"),
         (["--metal", "gold"], "copper"),
+        (["--paper", "a0"], "letter"),
     ] {
         refused(&build(&wire("coil"), &out, &flags), names);
         assert!(!out.exists(), "{flags:?} leaves nothing behind");
