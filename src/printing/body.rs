@@ -16,10 +16,12 @@ pub struct Body(Manifold);
 impl Body {
     /// What a closed surface encloses.
     pub fn of(mesh: &Mesh) -> Body {
-        let mut given = MeshGL::default();
-        given.num_prop = 3;
-        given.vert_properties = mesh.positions.as_flattened().to_vec();
-        given.tri_verts = mesh.triangles.as_flattened().to_vec();
+        let given = MeshGL {
+            num_prop: 3,
+            vert_properties: mesh.positions.as_flattened().to_vec(),
+            tri_verts: mesh.triangles.as_flattened().to_vec(),
+            ..MeshGL::default()
+        };
         Body(Manifold::from_mesh_gl(&given))
     }
 

@@ -46,7 +46,7 @@ pub fn surface(cones: &[Cone], cell_mm: f64) -> Mesh {
                 let start = first + cell + offset(from);
                 *vertices.entry((start, to ^ from)).or_insert_with(|| {
                     let ends = [start, first + cell + offset(to)].map(|p| p.as_dvec3() * cell_mm);
-                    let share = crossing(&distance, ends, [corner(from), corner(to)].map(f64::from));
+                    let share = crossing(distance, ends, [corner(from), corner(to)].map(f64::from));
                     mesh.positions.push(ends[0].lerp(ends[1], share).as_vec3().to_array());
                     mesh.positions.len() as u32 - 1
                 })

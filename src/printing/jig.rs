@@ -15,14 +15,31 @@ use wire4d_core::{Error, Result};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Printer {
     /// Width, depth and height that fit it, mm.
-    pub bed_mm: [f64; 3],
+    bed_mm: [f64; 3],
     /// Air between wire and groove all round, mm.
-    pub tolerance_mm: f64,
+    tolerance_mm: f64,
 }
 
 impl Default for Printer {
     fn default() -> Self {
         Printer { bed_mm: [220.0, 220.0, 250.0], tolerance_mm: 0.2 }
+    }
+}
+
+impl Printer {
+    /// One whose bed and height are these, mm.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for a side that no printer has.
+    pub fn with_bed(bed_mm: [f64; 3]) -> Result<Printer> {
+        let [least, most] = BED_MM;
+        match bed_mm.iter().find(|side| !(least..=most).contains(*side)) {
+            Some(side) => {
+                let remedy = format!("give {least} to {most} mm a side");
+                Err(Error::setting("--bed-mm", format!("{side} mm is no printer's bed"), remedy))
+            }
+            None => Ok(Printer { bed_mm, ..Printer::default() }),
+        }
     }
 }
 
@@ -138,21 +155,11 @@ fn groove(ends: [DVec3; 2], radius: f64, top: f64) -> Body {
 /// Posts along the wire on a base under it.
 ///
 /// # Errors
-/// [`Error::Setting`] for a bed or tolerance out of range, and for a wire that no post can carry.
+/// [`Error::Setting`] for a wire that no post can carry.
 pub fn jig(strands: &Strands, printer: &Printer) -> Result<Jig> {
-    for side in printer.bed_mm {
-        if !(BED_MM[0]..=BED_MM[1]).contains(&side) {
-            let remedy = format!("give {} to {} mm a side", BED_MM[0], BED_MM[1]);
-            return Err(Error::setting("--bed-mm", format!("{side} mm is no printer's bed"), remedy));
-        }
-    }
-    if !(0.0..=2.0).contains(&printer.tolerance_mm) {
-        let problem = format!("{} mm is no room for a wire", printer.tolerance_mm);
-        return Err(Error::setting("tolerance", problem, "give 0 to 2 mm"));
-    }
     let [low, high] = strands.bounds().map(|corner| corner.truncate());
     // Numbers stand beside posts.
-    let margin = 4.0 * NUMBER_MM;
+    let margin = DVec2::new(3.0, 1.5) * NUMBER_MM;
     let tiles = Tiles::new([low - margin, high + margin], printer);
     let posts = posts(strands, printer, &tiles);
     if posts.is_empty() {
@@ -172,7 +179,7 @@ pub fn jig(strands: &Strands, printer: &Printer) -> Result<Jig> {
         parts[tile].extend(number.bodies(tiles.beside(post, NUMBER_MM * number.aspect()), NUMBER_MM, levels));
     }
     let part = |(i, mut bodies): (usize, Vec<Body>)| {
-        let name = if count == 1 { "jig".to_owned() } else { format!("jig-{}", i + 1) };
+        let name = format!("jig-{}", i + 1);
         bodies.push(Body::prism(&body::rounded(tiles.bounds(i), 1.0), [-AIR_MM - BASE_MM, -AIR_MM]));
         Part { name, mesh: Body::union(bodies).mesh() }
     };

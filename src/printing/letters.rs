@@ -61,7 +61,7 @@ const ADVANCE: f64 = 5.8;
 const STROKE: f64 = 1.1;
 
 /// A line of text, as letters can be printed.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Line(Vec<&'static str>);
 
 impl Line {

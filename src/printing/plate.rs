@@ -9,8 +9,7 @@ use wire4d_core::Result;
 /// What stands under a printed wire.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plate {
-    /// In raised letters along the front.
-    pub name: Option<String>,
+    name: Option<Line>,
 }
 
 const THICKNESS_MM: f64 = 3.0;
@@ -30,6 +29,14 @@ const APART: f64 = 0.15;
 const STANCE: f64 = 0.55;
 
 impl Plate {
+    /// With raised letters along the front, small ones as capitals.
+    ///
+    /// # Errors
+    /// [`Error::Setting`](wire4d_core::Error::Setting) for an empty or very long name, or a letter that there is not.
+    pub fn with_name(name: &str) -> Result<Plate> {
+        Ok(Plate { name: Some(Line::new("--name", name)?) })
+    }
+
     /// Posts, which become one with the wire, from the plate to where the wire comes nearest.
     pub(crate) fn posts(&self, strands: &Strands) -> Vec<Cone> {
         let [low, high] = strands.bounds();
@@ -52,10 +59,7 @@ impl Plate {
     }
 
     /// The plate, and its letters.
-    ///
-    /// # Errors
-    /// Those of [`Line::new`].
-    pub(crate) fn body(&self, strands: &Strands, posts: &[Cone]) -> Result<Body> {
+    pub(crate) fn body(&self, strands: &Strands, posts: &[Cone]) -> Body {
         let [low, high] = strands.bounds().map(|corner| corner.truncate());
         let middle = 0.5 * (low + high);
         let half = 0.5 * STANCE * (high - low);
@@ -66,8 +70,7 @@ impl Plate {
         high += MARGIN_MM;
         let top = -AIR_MM;
         let mut bodies = Vec::new();
-        if let Some(name) = &self.name {
-            let line = Line::new("--name", name)?;
+        if let Some(line) = &self.name {
             let height = ((high.x - low.x - 2.0 * MARGIN_MM) / line.aspect()).clamp(LETTER_MM[0], LETTER_MM[1]);
             let width = height * line.aspect();
             let wider = 0.5 * (width + 2.0 * MARGIN_MM - (high.x - low.x)).max(0.0);
@@ -78,6 +81,6 @@ impl Plate {
             bodies = line.bodies(corner, height, [top - RAISED_MM, top + RAISED_MM]);
         }
         bodies.push(Body::prism(&body::rounded([low, high], MARGIN_MM), [top - THICKNESS_MM, top]));
-        Ok(Body::union(bodies))
+        Body::union(bodies)
     }
 }

@@ -30,17 +30,15 @@ pub struct Print {
 /// The wire, on a plate if one is wanted.
 ///
 /// # Errors
-/// [`Error::Setting`] for a wire so long and thin that no slicer opens it, and for a name that cannot be printed.
+/// [`Error::Setting`] for a wire so long and thin that no slicer opens it.
 pub fn print(strands: &Strands, plate: Option<&Plate>) -> Result<Print> {
     let cell_mm = cell_mm(strands)?;
     let mut cones = strands.cones.clone();
     let posts = plate.map_or(Vec::new(), |plate| plate.posts(strands));
     cones.extend(&posts);
-    // Before the longest part of the work.
-    let base = plate.map(|plate| plate.body(strands, &posts)).transpose()?;
     let wire = contour::surface(&round(&cones, cell_mm), cell_mm);
-    let mesh = match base {
-        Some(base) => Body::union(vec![Body::of(&wire), base]).mesh().on_the_bed(),
+    let mesh = match plate {
+        Some(plate) => Body::union(vec![Body::of(&wire), plate.body(strands, &posts)]).mesh().on_the_bed(),
         None => wire.on_the_bed(),
     };
     Ok(Print { mesh, least_thickness_mm: strands.least_thickness_mm() })

@@ -30,8 +30,8 @@ fn stl_holds_every_triangle_as_it_is() {
 
 /// What a numbered attribute says, all through a text.
 fn numbers(xml: &str, attribute: &str) -> Vec<f64> {
-    let quoted = xml.split(&format!(" {attribute}=\"")).skip(1);
-    quoted.map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
+    let opening = format!(" {attribute}=\"");
+    xml.split(&opening).skip(1).map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
 }
 
 #[test]
@@ -41,7 +41,7 @@ fn a_3mf_archive_has_its_parts_in_millimetres_side_by_side() {
     let files: HashMap<String, String> = (0..archive.len())
         .map(|i| {
             let mut file = archive.by_index(i).unwrap();
-            (file.name().to_owned(), std::io::read_to_string(&mut file).unwrap())
+            (file.name().unwrap().into_owned(), std::io::read_to_string(&mut file).unwrap())
         })
         .collect();
     assert!(files["[Content_Types].xml"].contains("3dmanufacturing-3dmodel+xml"));

@@ -25,7 +25,7 @@ fn every_part_is_one_manifold_clear_of_the_wire_and_fits_the_bed() {
     for (seed, bed_mm) in [(1, [220.0; 3]), (2, [100.0, 80.0, 250.0])] {
         let wire = random_wire(seed, true, 9);
         let strands = Strands::new(&wire, 150.0, Gauge::Constant(2.0)).unwrap();
-        let printer = Printer { bed_mm, ..Printer::default() };
+        let printer = Printer::with_bed(bed_mm).unwrap();
         let made = jig(&strands, &printer).unwrap();
         assert!(made.posts >= 6, "{} posts", made.posts);
         assert_eq!(made.parts.len() > 1, bed_mm[0] < 200.0);
@@ -49,8 +49,7 @@ fn every_part_is_one_manifold_clear_of_the_wire_and_fits_the_bed() {
 
 #[test]
 fn a_bed_that_is_none_is_said() {
-    let strands = Strands::new(&random_wire(1, true, 9), 150.0, Gauge::Constant(2.0)).unwrap();
-    let said = |bed_mm| jig(&strands, &Printer { bed_mm, ..Printer::default() }).unwrap_err().to_string();
+    let said = |bed_mm| Printer::with_bed(bed_mm).unwrap_err().to_string();
     assert!(said([0.0, 220.0, 250.0]).starts_with("--bed-mm: 0 mm"));
     assert!(said([220.0, f64::NAN, 250.0]).contains("60 to 2000 mm"));
 }

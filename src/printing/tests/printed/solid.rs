@@ -73,15 +73,15 @@ fn twenty_thousand_points_are_no_trouble() {
 #[test]
 fn a_wire_on_a_plate_with_its_name_is_one_piece() {
     let strands = Strands::new(&random_wire(3, true, 14), 80.0, Gauge::Constant(2.0)).unwrap();
-    let plate = |name: &str| Plate { name: Some(name.to_owned()) };
+
     let bare = print(&strands, Some(&Plate::default())).unwrap().mesh;
-    let named = print(&strands, Some(&plate("Owl & cat 2"))).unwrap().mesh;
+    let named = print(&strands, Some(&Plate::with_name("Owl & cat 2").unwrap())).unwrap().mesh;
     for mesh in [&bare, &named] {
         assert_eq!(checked(mesh).pieces, 1);
         assert_eq!(mesh.bounds()[0][2], 0.0, "it stands on the bed");
     }
     assert!(named.volume_mm3() > bare.volume_mm3() + 100.0, "letters are raised");
-    let said = |name: &str| print(&strands, Some(&plate(name))).unwrap_err().to_string();
+    let said = |name: &str| Plate::with_name(name).unwrap_err().to_string();
     assert!(said("Ł").contains("A to Z") && said("Ł").starts_with("--name"), "{}", said("Ł"));
     assert!(said("  ").contains("1 to 40 letters"));
 }
