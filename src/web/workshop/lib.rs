@@ -136,8 +136,11 @@ impl Bench {
     }
 
     fn print(&self) -> Result<wire4d_printing::Print> {
-        let plate =
-            self.wishes.plate.then(|| Plate { name: Some(self.wishes.name.clone()).filter(|name| !name.is_empty()) });
+        let plate = match &self.wishes {
+            Wishes { plate: false, .. } => None,
+            Wishes { name, .. } if name.is_empty() => Some(Plate::default()),
+            Wishes { name, .. } => Some(Plate::with_name(name)?),
+        };
         print(&self.strands()?, plate.as_ref())
     }
 }

@@ -8,6 +8,8 @@ import brush from "lucide-static/icons/brush.svg?raw";
 import camera from "lucide-static/icons/camera.svg?raw";
 import check from "lucide-static/icons/check.svg?raw";
 import chevronDown from "lucide-static/icons/chevron-down.svg?raw";
+import chevronLeft from "lucide-static/icons/chevron-left.svg?raw";
+import chevronRight from "lucide-static/icons/chevron-right.svg?raw";
 import question from "lucide-static/icons/circle-question-mark.svg?raw";
 import dices from "lucide-static/icons/dices.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
@@ -82,6 +84,8 @@ export const icons = {
   close: icon(x),
   aperture: icon(aperture),
   build: icon(hammer),
+  before: icon(chevronLeft),
+  next: icon(chevronRight),
   help: icon(question),
   language: icon(language),
   light: icon(sun),

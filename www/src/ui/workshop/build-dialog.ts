@@ -195,8 +195,8 @@ export class BuildDialog extends LitElement {
     if (!plan) return html`<p>${msg("Measuring the wire…")}</p>`;
     const grams = plan.mass_g < 10 ? decimal(plan.mass_g, 1) : count(Math.round(plan.mass_g));
     return html`<p><b>${plan.passes ? msg("It can be bent like this.") : msg("It cannot be bent like this.")}</b></p>
-      ${plan.sentences.map((sentence) => html`<p class="small">${asSentence(sentence)}</p>`)}
-      <p class="small quiet">${msg(str`${decimal(plan.length_mm / 1000, 2)} m of wire, ${grams} g, ${count(plan.bends)} bends`)}</p>`;
+      <p class="small">${msg(str`${decimal(plan.length_mm / 1000, 2)} m of wire, ${grams} g, ${count(plan.bends)} bends`)}</p>
+      ${plan.sentences.slice(GIVEN).map((sentence) => html`<p class="small">${asSentence(withoutFlags(sentence))}</p>`)}`;
   }
 
   private step(plan: Plan): TemplateResult {
@@ -207,9 +207,9 @@ export class BuildDialog extends LitElement {
       <h2>${msg("Step by step")}</h2>
       ${stepPicture(plan, at)}
       <div class="walk">
-        <button class="square" aria-label=${msg("The step before")} ?disabled=${at === 0} @click=${() => go(at - 1)}>${icons.undo}</button>
+        <button class="square" aria-label=${msg("The step before")} ?disabled=${at === 0} @click=${() => go(at - 1)}>${icons.before}</button>
         <input type="range" aria-label=${msg("Step of bending")} aria-valuetext=${msg(str`Step ${at + 1} of ${last + 1}`)} min="0" max=${last} .value=${String(at)} @input=${(event: Event) => go((event.target as HTMLInputElement).valueAsNumber)} />
-        <button class="square" aria-label=${msg("The next step")} ?disabled=${at === last} @click=${() => go(at + 1)}>${icons.redo}</button>
+        <button class="square" aria-label=${msg("The next step")} ?disabled=${at === last} @click=${() => go(at + 1)}>${icons.next}</button>
       </div>
       <p class="small"><b>${msg(str`Step ${at + 1} of ${last + 1}`)}</b> ${asSentence(plan.steps[at]!.sentence)}</p>
     </div>`;
@@ -278,6 +278,12 @@ export class BuildDialog extends LitElement {
     if (event.target === this.dialog) this.dialog.close();
   };
 }
+
+/** The first of the core's sentences say what stands above them. */
+const GIVEN = 2;
+
+/** What the command line takes means nothing here. */
+const withoutFlags = (sentence: string): string => sentence.replace(/ \(--[^)]*\)/g, "");
 
 /** The core names settings as the command line does. */
 const plainly = (error: unknown): string => asSentence((error as Error).message.replace(/^--size-mm\b/, msg("the longest side")).replace(/^--wire-mm\b/, msg("the wire")).replace(/^--stock-mm\b/, msg("a piece of wire")));
