@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
-import { ELEMENT_KB, elementBytes, firstView, FIRST_VIEW_KB, GALLERY_KB, galleryPage, FILES_KB, MESH_KB, RUNTIME_KB, runtimeBytes, total, WASM_KB, wasmBytes } from "../budget/sizes";
+import { ELEMENT_KB, elementBytes, firstView, FIRST_VIEW_KB, GALLERY_KB, galleryPage, FILES_KB, MESH_KB, PHOTOGRAPH_KB, RUNTIME_KB, runtimeBytes, total, WASM_KB, wasmBytes, WORKSHOP_KB } from "../budget/sizes";
 import { DIST } from "./browser";
 
 it("a first view without wasm", async () => {
@@ -17,6 +17,8 @@ it("the wasm modules", () => {
   expect(wasmBytes("wire4d")).toBeLessThanOrEqual(1000 * WASM_KB);
   expect(wasmBytes("wire4d_model")).toBeLessThanOrEqual(1000 * MESH_KB);
   expect(wasmBytes("wire4d_files")).toBeLessThanOrEqual(1000 * FILES_KB);
+  expect(wasmBytes("wire4d_photograph")).toBeLessThanOrEqual(1000 * PHOTOGRAPH_KB);
+  expect(wasmBytes("wire4d_workshop")).toBeLessThanOrEqual(1000 * WORKSHOP_KB);
 });
 
 it("the runtimes for networks", () => {

@@ -14,6 +14,9 @@ export const WASM_KB = 780;
 export const MESH_KB = 165;
 /** The module that writes files and simpler links, which is fetched when somebody saves or shares. */
 export const FILES_KB = 165;
+/** The modules that take photographs, and that plan and write what building takes: each is fetched when it is opened. */
+export const PHOTOGRAPH_KB = 140;
+export const WORKSHOP_KB = 380;
 export const GALLERY_KB = 60;
 /** What computes networks from files, a script and a module: on the processor, and on a graphics card. Fetched when one is opened. */
 export const RUNTIME_KB = { "ort.wasm": 3_900, "ort.webgpu": 6_800 } as const;
@@ -44,7 +47,7 @@ export function total(sent: readonly Sent[]): number {
 }
 
 /** Of the module with that name, gzipped. */
-export function wasmBytes(name: "wire4d" | "wire4d_model" | "wire4d_files"): number {
+export function wasmBytes(name: "wire4d" | "wire4d_model" | "wire4d_files" | "wire4d_photograph" | "wire4d_workshop"): number {
   const file = readdirSync(join(DIST, "assets")).find((file) => file.startsWith(`${name}_bg-`) && file.endsWith(".wasm"));
   if (!file) throw new Error(`there is no ${name} in ${DIST}; \`cargo xtask build\` makes it`);
   return gzipSync(readFileSync(join(DIST, "assets", file))).length;
@@ -70,6 +73,8 @@ export async function sizes(): Promise<Account> {
     row("wasm, gzipped", WASM_KB, wasmBytes("wire4d")),
     row("wasm for mesh files, gzipped", MESH_KB, wasmBytes("wire4d_model")),
     row("wasm that writes files, gzipped", FILES_KB, wasmBytes("wire4d_files")),
+    row("wasm that takes photographs, gzipped", PHOTOGRAPH_KB, wasmBytes("wire4d_photograph")),
+    row("wasm for building, gzipped", WORKSHOP_KB, wasmBytes("wire4d_workshop")),
     row("guidance runtime, gzipped, fetched when guidance is switched on", RUNTIME_KB["ort.wasm"], runtimeBytes("ort.wasm")),
     row("the same for a graphics card", RUNTIME_KB["ort.webgpu"], runtimeBytes("ort.webgpu")),
     row("the element, gzipped", ELEMENT_KB, elementBytes()),
