@@ -170,7 +170,7 @@ const STUDIO: [([f32; 3], Vec3); 3] = [
 ];
 const SOFTBOX: f32 = 5.0;
 const SOFTBOX_NEAR: f32 = 0.3;
-const STUDIO_BEAM: f32 = 14.0;
+const STUDIO_BEAM: f32 = 40.0;
 const STUDIO_FLOOR: f32 = 60.0;
 
 /// Everything that light meets.
