@@ -31,6 +31,7 @@ const ORDER: &[&str] = &[
     "guidance",
     "photograph",
     "fabrication",
+    "printing",
 ];
 
 fn level(room: &str) -> Option<usize> {

@@ -8,7 +8,7 @@ pub const HEADINGS: [&str; 7] =
     ["bend", "mm from start", "go straight mm", "turn deg", "bend deg", "round a radius of mm", "bend to deg"];
 
 impl BendList {
-    /// A row of words for each bend, as [`HEADINGS`] says. The radius is that of the bend's inside: of the rod to bend round.
+    /// A row of words for each bend, in the order of the headings. The radius is that of the bend's inside: of the rod to bend round.
     pub fn rows(&self, stock: &Stock) -> impl Iterator<Item = [String; 7]> {
         self.bends.iter().enumerate().map(move |(i, bend)| {
             [

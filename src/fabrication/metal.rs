@@ -37,6 +37,10 @@ impl Metal {
     /// All of them.
     pub const ALL: [Metal; 3] = [Metal::Copper, Metal::Aluminium, Metal::Steel];
 
+    /// Where the numbers are from, for who is told them.
+    pub const SOURCE: &str = "ASM Handbook, volumes 1 and 2 (density, elongation, stiffness); Kalpakjian and Schmid, Manufacturing \
+                              Engineering and Technology (flow curves; least bend radius from elongation)";
+
     /// As people write it.
     pub fn name(self) -> &'static str {
         match self {

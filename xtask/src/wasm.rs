@@ -25,13 +25,14 @@ const WASM_FEATURES: &[&str] = &[
     "--enable-reference-types",
 ];
 
-/// What the page fetches at once, and what it fetches when somebody brings a mesh, saves or shares a wire, or takes a photograph
+/// What the page fetches at once, and what it fetches when somebody brings a mesh, saves, shares or builds a wire, or takes a photograph
 /// of it: the crates and the names they have there.
-const MODULES: [[&str; 2]; 4] = [
+const MODULES: [[&str; 2]; 5] = [
     ["wire4d-web", "wire4d"],
     ["wire4d-web-meshes", "wire4d_model"],
     ["wire4d-web-files", "wire4d_files"],
     ["wire4d-web-photograph", "wire4d_photograph"],
+    ["wire4d-web-workshop", "wire4d_workshop"],
 ];
 
 /// Builds `{.js,.d.ts,_bg.wasm}` of each module in `www/src/engine/wasm`; needs the page's packages (for wasm-opt).

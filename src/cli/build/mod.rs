@@ -1,6 +1,7 @@
 //! `wire4d build`: how to make a wire from real wire.
 
 mod dxf;
+mod printed;
 
 use crate::folder::Folder;
 use crate::{args, wires};
@@ -42,6 +43,7 @@ pub fn command() -> Command {
                 .default_value(Paper::default().name())
                 .help("What is in the printer"),
         )
+        .args(printed::flags())
         .arg(args::file("out", "Folder to make for what there is to know").long("out").required(true))
         .arg(args::overwrite())
         .arg(Arg::new("quiet").long("quiet").action(clap::ArgAction::SetTrue).help("Say nothing on the way"))
@@ -52,6 +54,7 @@ pub fn command() -> Command {
 struct Report<'a> {
     size_mm: f64,
     stock: &'a Stock,
+    metals_source: &'a str,
     said: &'a [String],
     check: &'a Check,
     bends: &'a BendList,
@@ -65,6 +68,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let stock = Stock { metal, gauge_mm: number("wire-mm"), length_mm: number("stock-mm") };
     let paper = matches.get_one::<String>("paper").and_then(|name| Paper::named(name)).unwrap_or_default();
     let size_mm = number("size-mm");
+    let wanted = printed::Wanted::new(matches)?;
     let file = args::path(matches, "wire");
     let made = wires::read_wire(file)?;
     let name = file.file_name().map_or("wire".into(), |name| name.to_string_lossy());
@@ -75,8 +79,17 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let check = Check::new(&made.wire, &line, &stock)?;
     let bends = BendList::new(&line, metal);
     let steps = steps(&line, &bends);
-    let said = check.sentences(&stock);
-    let report = Report { size_mm, stock: &stock, said: &said, check: &check, bends: &bends, steps: &steps };
+    let mut said = check.sentences(&stock);
+    said.extend(wanted.write(&folder, &made.wire, size_mm, stock.gauge_mm)?);
+    let report = Report {
+        size_mm,
+        stock: &stock,
+        metals_source: Metal::SOURCE,
+        said: &said,
+        check: &check,
+        bends: &bends,
+        steps: &steps,
+    };
     let job = Job { name, line: &line, stock: &stock, check: &check, bends: &bends, steps: &steps };
     let json = serde_json::to_string_pretty(&report).expect("plain numbers and words");
     folder.write("build.json", json.as_bytes())?;

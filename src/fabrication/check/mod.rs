@@ -120,7 +120,7 @@ pub struct Passing {
 /// What to ask of a fit, so that its wire can be built at this size.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Refit {
-    /// The same width everywhere: both `--min-width` and `--max-width`, px of a 256 px picture.
+    /// `--max-width` with `--width constant`, px of a 256 px picture; views are as high as they usually are.
     pub width_px: f64,
     /// `--bend-radius`, in diameters.
     pub bend_radius: f64,
@@ -366,7 +366,7 @@ impl Check {
             let larger = passing.size_mm.map(|size| format!("make it {size} mm large (--size-mm {size})"));
             let thinner = passing.gauge_mm.map(|gauge| format!("take wire of {gauge} mm (--wire-mm {gauge})"));
             let smoother = format!(
-                "make the wire again, smoother and in one width (--min-width {width:.1} --max-width {width:.1} --bend-radius {radius:.2})",
+                "make the wire again, smoother and in one width (--width constant --max-width {width:.1} --bend-radius {radius:.2})",
                 width = self.refit.width_px,
                 radius = self.refit.bend_radius
             );

@@ -19,6 +19,8 @@ const OVERLAP: f64 = 10.0;
 const ROOM: f64 = 8.0;
 /// Numbered points, mm apart.
 const POINTS_MM: f64 = 50.0;
+/// Numbers nearer than this, across and up, lie over each other, mm.
+const NUMBER: DVec2 = DVec2::new(3.6, 2.4);
 /// How far lines may be off, mm.
 const TOLERANCE: f64 = 0.02;
 
@@ -118,6 +120,7 @@ impl View<'_> {
                 sheet.line(line, pen);
             }
         }
+        let mut numbers: Vec<DVec2> = Vec::new();
         let count = (self.line.length_mm() / POINTS_MM) as usize;
         for number in 0..=count {
             let i = (number as f64 * POINTS_MM / self.line.step_mm()).round() as usize;
@@ -125,7 +128,12 @@ impl View<'_> {
             sheet.dot(at, 0.6);
             // Beside the wire.
             let aside = (next - at).perp().try_normalize().unwrap_or(DVec2::Y) * (0.5 * gauge + 1.6);
-            sheet.text(at + aside - DVec2::new(1.2, 0.8), 2.4, &number.to_string());
+            let beside = at + aside - DVec2::new(1.2, 0.8);
+            // A number over another would be no number.
+            if numbers.iter().all(|other| ((*other - beside) / NUMBER).length() > 1.0) {
+                sheet.text(beside, 2.4, &number.to_string());
+                numbers.push(beside);
+            }
         }
         sheet
     }

@@ -171,3 +171,34 @@ fn wires_rebuilt_from_their_lists_are_within_a_hundredth_of_their_size() {
         assert_eq!(dxf.matches("AcDbArc").count(), bends.iter().filter(|bend| bend["radius_mm"] != 0.0).count());
     }
 }
+
+#[test]
+fn print_and_jig_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("made");
+    let flags = ["--size-mm", "90", "--wire-mm", "2", "--name", "Coil 1", "--bed-mm", "80x80x200"];
+    let output = build(&wire("coil"), &out, &flags);
+    succeeds(&output);
+    assert!(said(&output).contains("one solid, 2 mm at its thinnest"), "{}", said(&output));
+    for name in ["print.stl", "jig-1.stl", "jig-2.stl"] {
+        let file = fs::read(out.join(name)).unwrap();
+        let count = u32::from_le_bytes(file[80..84].try_into().unwrap()) as usize;
+        assert!(count > 100 && file.len() == 84 + 50 * count, "{name}");
+    }
+    for name in ["print.3mf", "jig.3mf"] {
+        assert!(fs::read(out.join(name)).unwrap().starts_with(b"PK"), "{name}");
+    }
+    // Thin wire is bent, and not printed.
+    let thin = build(&wire("coil"), &folder.path().join("thin"), &["--wire-mm", "0.3"]);
+    succeeds(&thin);
+    assert!(said(&thin).contains("No print and no jig") && said(&thin).contains("nozzle"), "{}", said(&thin));
+    for (flags, names) in [
+        (["--name", "Ł"], "A to Z"),
+        (["--bed-mm", "220"], "220x220x250"),
+        (["--bed-mm", "0x220x250"], "60 to 2000 mm"),
+    ] {
+        let nowhere = folder.path().join("nowhere");
+        refused(&build(&wire("coil"), &nowhere, &flags), names);
+        assert!(!nowhere.exists(), "{flags:?} leaves nothing behind");
+    }
+}

@@ -131,7 +131,7 @@ export class WireApp extends LitElement {
             <wire-comparison .studio=${studio} .state=${now} ?hidden=${task.compared.length === 0}></wire-comparison>
           </section>
           <section id="part-share" role=${this.panel()} aria-label=${msg("Save and share")} ?inert=${isLocked(now, "save")} ?hidden=${this.folded("share") || isHidden(now, "save")}>
-            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()} .photograph=${() => void this.photograph()}></save-panel>
+            <save-panel .studio=${studio} .state=${now} .task=${task} .picture=${async () => studio.saver.carrying(await this.stage.picture(2400, 1800))} .film=${() => void this.film()} .photograph=${() => void this.photograph()} .build=${() => void this.build()}></save-panel>
           </section>
           <section id="part-settings" role=${this.panel()} aria-label=${msg("Settings")} ?inert=${isLocked(now, "settings")} ?hidden=${this.folded("settings") || isHidden(now, "settings")}>
             <settings-panel
@@ -425,6 +425,14 @@ export class WireApp extends LitElement {
       { file, stage: this.stage.getState().camera, place: "room" },
       { save: (blob, ending) => this.saving.keep(blob, ending), carrying: (picture) => this.studio.saver.carrying(picture) },
     );
+  }
+
+  /** And the workshop. */
+  private async build(): Promise<void> {
+    const { made } = deskOf(this.now.doc);
+    if (!made) return;
+    const [{ openWorkshop }, { titleOf }] = await Promise.all([import("../workshop/build-dialog"), import("../save/wire-words")]);
+    await openWorkshop(made.finished.file, titleOf(givenLabels(this.now, this.task)), (blob, ending) => this.saving.keep(blob, ending));
   }
 
   /** Help is loaded when it is first wanted. */

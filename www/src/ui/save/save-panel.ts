@@ -45,6 +45,8 @@ export class SavePanel extends Part {
   @property({ attribute: false }) film!: () => void;
   /** Opens the photograph. */
   @property({ attribute: false }) photograph!: () => void;
+  /** Opens how to build it. */
+  @property({ attribute: false }) build!: () => void;
   /** The link, where the clipboard is not to be had. */
   @state() private byHand = "";
   @state() private busy = "";
@@ -76,6 +78,9 @@ export class SavePanel extends Part {
       </button>
       <button class="file" ?disabled=${none} @click=${() => this.photograph()}>
         ${icons.aperture}<span><b>${msg("Photograph")}</b><span class="small quiet">${msg("With real lamps and shadows: PNG")}</span></span>
+      </button>
+      <button class="file" ?disabled=${none} @click=${() => this.build()}>
+        ${icons.build}<span><b>${msg("Build it")}</b><span class="small quiet">${msg("Bend it by hand, or print it")}</span></span>
       </button>
       <div class="svg">
         ${this.file({ format: "svg", name: "SVG", use: msg("Lines of one view") }, none)}

@@ -12,6 +12,7 @@ import question from "lucide-static/icons/circle-question-mark.svg?raw";
 import dices from "lucide-static/icons/dices.svg?raw";
 import download from "lucide-static/icons/download.svg?raw";
 import braces from "lucide-static/icons/file-braces.svg?raw";
+import hammer from "lucide-static/icons/hammer.svg?raw";
 import hand from "lucide-static/icons/hand.svg?raw";
 import image from "lucide-static/icons/image.svg?raw";
 import images from "lucide-static/icons/images.svg?raw";
@@ -80,6 +81,7 @@ export const icons = {
   more: icon(chevronDown),
   close: icon(x),
   aperture: icon(aperture),
+  build: icon(hammer),
   help: icon(question),
   language: icon(language),
   light: icon(sun),
