@@ -100,7 +100,7 @@ impl Film {
     /// What came to row `y`, to be put on another film of the same lens and size.
     pub fn row(&self, y: usize) -> Vec<f32> {
         let lights = self.rows.get(y).map_or(&[][..], |row| &row.sums);
-        lights.iter().flat_map(Light::to_array).collect()
+        lights.iter().flat_map(|light| light.to_array()).collect()
     }
 
     /// Takes over what came to row `y` in `passes` on another film, in place of what is there.

@@ -28,7 +28,7 @@ pub struct Light {
 
 impl Light {
     /// As ten numbers.
-    pub fn to_array(&self) -> [f32; 10] {
+    pub fn to_array(self) -> [f32; 10] {
         let [[a, b, c], [d, e, f], [g, h, i]] = [self.direct, self.indirect, self.normal].map(|each| each.to_array());
         [a, b, c, d, e, f, g, h, i, self.wire]
     }
