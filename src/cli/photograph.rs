@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use wire4d::files::write_whole;
 use wire4d::picture::encode_colour_png;
 use wire4d::{Error, Result};
-use wire4d_photograph::{Arrangement, Develop, Film, Finish, Lens, Place, Setting};
+use wire4d_photograph::{Arrangement, Develop, Film, Finish, Lens, Place, Setting, Sky};
 
 /// The verb and its flags.
 pub fn command() -> Command {
@@ -27,7 +27,7 @@ pub fn command() -> Command {
             Arg::new("place")
                 .long("place")
                 .value_name("PLACE")
-                .value_parser(["room", "screens"])
+                .value_parser(["room", "screens", "studio"])
                 .help("Where the shadows fall [default: room; screens where the wire is made to be seen from elsewhere than its sides]"),
         )
         .arg(
@@ -75,6 +75,14 @@ pub fn command() -> Command {
         .arg(number("lamp-radius", "UNITS", "0.16", "Size of the lamps: 0 throws the sharpest shadows"))
         .arg(number("lamp-distance", "UNITS", "24", "How far they are: from farther, shadows are as a view shows the wire"))
         .arg(number("surround", "SHARE", "0.04", "Light from all round, as a share of a lamp's"))
+        .arg(
+            Arg::new("sky")
+                .long("sky")
+                .value_name("SKY")
+                .value_parser(["soft", "even", "overcast"])
+                .default_value("soft")
+                .help("How light from all round comes: a little more from above, the same from everywhere, or as on a grey day"),
+        )
         .arg(number("roughness", "SHARE", "0.42", "How blurred metal mirrors, 0 to 1"))
         .arg(number("exposure", "STOPS", "1", "Each stop doubles the light"))
         .arg(Arg::new("quiet").long("quiet").action(ArgAction::SetTrue).help("Say nothing on the way"))
@@ -88,6 +96,7 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
     let finish = if choice("finish") == Some("matte") { Finish::Matte } else { Finish::Metal };
     let place = match choice("place") {
         Some("screens") => Place::Screens,
+        Some("studio") => Place::Studio,
         Some(_) => Place::Room,
         None => Place::fitting(&made.views),
     };
@@ -98,6 +107,11 @@ pub fn run(matches: &ArgMatches) -> Result<()> {
         lamp_radius: number("lamp-radius"),
         lamp_distance: number("lamp-distance"),
         surround: number("surround"),
+        sky: match choice("sky") {
+            Some("even") => Sky::Even,
+            Some("overcast") => Sky::Overcast,
+            _ => Sky::Soft,
+        },
         ..Arrangement::default()
     };
     let lens = Lens {

@@ -5,6 +5,7 @@ use crate::paths::{Light, light};
 use crate::sampler::Sampler;
 use crate::setting::Setting;
 use glam::{Vec3, Vec4};
+use std::ops::Mul;
 use wire4d_core::{Error, Result, parallel};
 
 /// How light becomes a picture.
@@ -37,8 +38,21 @@ pub struct Film {
     width: usize,
     height: usize,
     seed: u32,
+    rows: Vec<Row>,
+}
+
+/// What of a picture's row has come so far; no room is taken for one that nobody exposes.
+#[derive(Clone, Default)]
+struct Row {
     passes: u32,
     sums: Vec<Light>,
+}
+
+impl Row {
+    /// Of what each pass was.
+    fn share(&self) -> f32 {
+        1.0 / self.passes.max(1) as f32
+    }
 }
 
 impl Film {
@@ -55,7 +69,7 @@ impl Film {
             ));
         }
         let camera = Camera::new(lens, [width, height])?;
-        Ok(Film { camera, width, height, seed, passes: 0, sums: vec![Light::default(); width * height] })
+        Ok(Film { camera, width, height, seed, rows: vec![Row::default(); height] })
     }
 
     /// Width and height, px.
@@ -63,57 +77,89 @@ impl Film {
         [self.width, self.height]
     }
 
-    /// Samples a pixel so far.
+    /// Samples that every pixel has so far.
     pub fn passes(&self) -> u32 {
-        self.passes
+        self.rows.iter().map(|row| row.passes).min().unwrap_or(0)
     }
 
     /// One more sample of every pixel.
     pub fn expose(&mut self, setting: &Setting) {
-        let Film { camera, width, seed, passes, .. } = self;
-        let (camera, width, seed, pass) = (&*camera, *width, *seed, *passes);
-        let mut rows: Vec<&mut [Light]> = self.sums.chunks_exact_mut(width).collect();
-        parallel::each_mut(&mut rows, 1, |y, row| {
-            for (x, sum) in row.iter_mut().enumerate() {
-                let mut sampler = Sampler::new(seed, (y * width + x) as u32, pass);
-                let ([dx, dy], lens) = (sampler.pair(), sampler.pair());
-                let [origin, along] = camera.ray([x as f32 + dx, y as f32 + dy], lens);
-                let seen = light(setting, origin, along, &mut sampler);
-                sum.direct += seen.direct;
-                sum.indirect += seen.indirect;
-                sum.normal += seen.normal;
-                sum.wire += seen.wire;
+        let Film { camera, width, seed, rows, .. } = self;
+        let (camera, width, seed) = (&*camera, *width, *seed);
+        parallel::each_mut(rows, 1, |y, row| expose(camera, setting, width, seed, y, row));
+    }
+
+    /// One more sample of each pixel of row `y`, from the top; below the picture nothing happens. Rows exposed one by one, in any
+    /// order and on any machine, make the same picture.
+    pub fn expose_row(&mut self, setting: &Setting, y: usize) {
+        if let Some(row) = self.rows.get_mut(y) {
+            expose(&self.camera, setting, self.width, self.seed, y, row);
+        }
+    }
+
+    /// What came to row `y`, to be put on another film of the same lens and size.
+    pub fn row(&self, y: usize) -> Vec<f32> {
+        let lights = self.rows.get(y).map_or(&[][..], |row| &row.sums);
+        lights.iter().flat_map(|light| light.to_array()).collect()
+    }
+
+    /// Takes over what came to row `y` in `passes` on another film, in place of what is there.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] where it is no row of this film.
+    pub fn put_row(&mut self, y: usize, passes: u32, light: &[f32]) -> Result<()> {
+        let (lights, rest) = light.as_chunks();
+        match self.rows.get_mut(y) {
+            Some(row) if lights.len() == self.width && rest.is_empty() => {
+                *row = Row { passes, sums: lights.iter().map(Light::from_array).collect() };
+                Ok(())
             }
-        });
-        self.passes += 1;
+            _ => Err(Error::setting("row", "is of another picture", "give one of the same size")),
+        }
     }
 
     /// The mean light of each pixel, linear, rows from the top.
     pub fn light(&self) -> Vec<Vec3> {
-        let share = 1.0 / self.passes.max(1) as f32;
-        self.sums.iter().map(|sum| share * (sum.direct + sum.indirect)).collect()
+        self.each(|sum| sum.direct + sum.indirect)
     }
 
     /// As a picture: RGB, 3 bytes a pixel, sRGB, rows from the top.
     pub fn developed(&self, how: Develop) -> Vec<u8> {
         let gain = how.exposure.exp2();
-        let share = 1.0 / self.passes.max(1) as f32;
-        let indirect = match how.calmed {
-            true => self.calmed(),
-            false => self.sums.iter().map(|sum| share * sum.indirect).collect(),
-        };
-        let light = self.sums.iter().zip(&indirect).map(|(sum, indirect)| share * sum.direct + *indirect);
-        light.flat_map(|light| encoded(filmic(gain * light))).collect()
+        let direct = self.each(|sum| sum.direct);
+        let indirect = if how.calmed { self.calmed() } else { self.each(|sum| sum.indirect) };
+        direct
+            .iter()
+            .zip(&indirect)
+            .flat_map(|(direct, indirect)| encoded(filmic(gain * (*direct + *indirect))))
+            .collect()
+    }
+
+    /// Row `y` as it is, with its noise, in an instant; bytes as of `developed`, nothing before its first pass.
+    pub fn glimpse(&self, y: usize, how: Develop) -> Vec<u8> {
+        let Some(row) = self.rows.get(y) else { return vec![] };
+        let gain = row.share() * how.exposure.exp2();
+        row.sums.iter().flat_map(|sum| encoded(filmic(gain * (sum.direct + sum.indirect)))).collect()
+    }
+
+    /// The mean of something of each pixel, rows from the top.
+    fn each<T: Copy + Default + Mul<f32, Output = T>>(&self, what: impl Fn(&Light) -> T) -> Vec<T> {
+        let mut all = vec![T::default(); self.width * self.height];
+        for (row, means) in self.rows.iter().zip(all.chunks_exact_mut(self.width)) {
+            for (sum, mean) in row.sums.iter().zip(means) {
+                *mean = what(sum) * row.share();
+            }
+        }
+        all
     }
 
     /// The indirect light, with that of pixels nearby that see the same surface: it changes slowly along one, and has nearly all
     /// the noise. Two rounds, the second with gaps (Dammertz et al. 2010).
     fn calmed(&self) -> Vec<Vec3> {
-        let share = 1.0 / self.passes.max(1) as f32;
-        let seen: Vec<Vec4> = self.sums.iter().map(|sum| share * sum.normal.extend(sum.wire * WIRE_APART)).collect();
+        let seen = self.each(|sum| sum.normal.extend(sum.wire * WIRE_APART));
         // Noise falls with the root of the passes, and so may the reach.
-        let reach = (REACH_PX / (self.passes.max(1) as f32).powf(0.25)).clamp(1.0, REACH_PX);
-        let mut light: Vec<Vec3> = self.sums.iter().map(|sum| share * sum.indirect).collect();
+        let reach = (REACH_PX / (self.passes().max(1) as f32).powf(0.25)).clamp(1.0, REACH_PX);
+        let mut light = self.each(|sum| sum.indirect);
         for step in [1, 3] {
             light = self.mixed(&light, &seen, reach, step);
         }
@@ -147,6 +193,17 @@ impl Film {
     }
 }
 
+fn expose(camera: &Camera, setting: &Setting, width: usize, seed: u32, y: usize, row: &mut Row) {
+    row.sums.resize(width, Light::default());
+    for (x, sum) in row.sums.iter_mut().enumerate() {
+        let mut sampler = Sampler::new(seed, (y * width + x) as u32, row.passes);
+        let ([dx, dy], lens) = (sampler.pair(), sampler.pair());
+        let [origin, along] = camera.ray([x as f32 + dx, y as f32 + dy], lens);
+        *sum += light(setting, origin, along, &mut sampler);
+    }
+    row.passes += 1;
+}
+
 /// A curve with a foot and a shoulder (Narkowicz's fit of ACES, 2016).
 fn filmic(light: Vec3) -> Vec3 {
     let x = light.max(Vec3::ZERO);
@@ -159,4 +216,35 @@ fn encoded(linear: Vec3) -> [u8; 3] {
         let curve = if value <= 0.003_130_8 { 12.92 * value } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };
         (255.0 * curve + 0.5) as u8
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setting::Arrangement;
+    use wire4d_core::view::View;
+    use wire4d_core::wire::Wire;
+
+    #[test]
+    fn rows_exposed_elsewhere_make_the_same_picture() {
+        let points =
+            (0..12).map(|i| [0.8 * f64::from(i).cos(), 0.12 * f64::from(i) - 0.7, 0.8 * f64::from(i).sin(), 0.06]);
+        let wire = Wire::open_uniform(points.collect()).unwrap();
+        let setting = Setting::new(&wire, &View::canonical(2.2, 64), &Arrangement::default()).unwrap();
+        let film = || Film::new(&Lens::default(), [48, 27], 5).unwrap();
+        let (mut whole, mut developing, mut parts) = (film(), film(), [film(), film()]);
+        (0..3).for_each(|_| whole.expose(&setting));
+        for y in (0..27).rev() {
+            let part = &mut parts[y % 2];
+            (0..3).for_each(|_| part.expose_row(&setting, y));
+            developing.put_row(y, 3, &part.row(y)).unwrap();
+        }
+        let how = Develop::default();
+        assert_eq!(developing.passes(), 3);
+        assert_eq!(developing.developed(how), whole.developed(how));
+        let rough = Develop { calmed: false, ..how };
+        assert_eq!(parts[1].glimpse(13, rough), whole.developed(rough)[13 * 48 * 3..14 * 48 * 3]);
+        assert_eq!(parts[1].glimpse(12, rough), []);
+        assert!(developing.put_row(27, 3, &parts[0].row(0)).is_err() && developing.put_row(0, 3, &[0.0; 30]).is_err());
+    }
 }

@@ -40,6 +40,7 @@ impl Lens {
     pub fn of(place: Place, away: f32) -> Lens {
         match place {
             Place::Room => Lens::default(),
+            Place::Studio => Lens { aim: [0.0, -0.2, 0.0], distance: 5.4, elevation: 20.0, ..Lens::default() },
             Place::Screens => Lens { aim: [0.0; 3], distance: 2.6 + 3.9 * away, ..Lens::default() },
         }
     }

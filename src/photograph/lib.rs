@@ -16,4 +16,4 @@ mod strands;
 pub use film::{Develop, Film};
 pub use glam::Vec3;
 pub use lens::Lens;
-pub use setting::{Arrangement, Finish, Place, Setting, WALL_AWAY};
+pub use setting::{Arrangement, Finish, Place, Setting, Sky, WALL_AWAY};

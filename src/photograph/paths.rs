@@ -4,6 +4,7 @@
 use crate::sampler::Sampler;
 use crate::setting::{Met, Setting};
 use glam::{Vec3, Vec3A};
+use std::ops::AddAssign;
 
 /// After this many meetings light is as good as lost.
 const MOST_MEETINGS: usize = 24;
@@ -23,6 +24,28 @@ pub struct Light {
     pub normal: Vec3,
     /// See there.
     pub wire: f32,
+}
+
+impl Light {
+    /// As ten numbers.
+    pub fn to_array(self) -> [f32; 10] {
+        let [[a, b, c], [d, e, f], [g, h, i]] = [self.direct, self.indirect, self.normal].map(|each| each.to_array());
+        [a, b, c, d, e, f, g, h, i, self.wire]
+    }
+
+    /// From what [`Light::to_array`] gave.
+    pub fn from_array(&[a, b, c, d, e, f, g, h, i, wire]: &[f32; 10]) -> Light {
+        Light { direct: Vec3::new(a, b, c), indirect: Vec3::new(d, e, f), normal: Vec3::new(g, h, i), wire }
+    }
+}
+
+impl AddAssign for Light {
+    fn add_assign(&mut self, other: Light) {
+        self.direct += other.direct;
+        self.indirect += other.indirect;
+        self.normal += other.normal;
+        self.wire += other.wire;
+    }
 }
 
 /// The light that comes to `origin` against `along` (length 1).

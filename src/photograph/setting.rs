@@ -47,6 +47,9 @@ pub enum Place {
     Room,
     /// On a screen for each view, with a lamp of its own.
     Screens,
+    /// On a wide floor, under three large lamps of a photographer: the key from the left, warm; a cooler one to fill; and one from
+    /// behind for the rim.
+    Studio,
 }
 
 impl Place {
@@ -61,7 +64,7 @@ impl Place {
         let eyes: Vec<Vec3A> = views.iter().map(|view| eye_and_up(view)[0]).collect();
         let pairs = eyes.iter().enumerate().flat_map(|(i, a)| eyes[..i].iter().map(move |b| a.dot(*b)));
         let closest = match self {
-            Place::Room => 0.0,
+            Place::Room | Place::Studio => 0.0,
             Place::Screens => pairs.fold(0.0f32, f32::max),
         };
         // Discs of radius r round the squares, at a distance d, meet at an angle θ where tan(θ/2) = r/d.
@@ -97,7 +100,38 @@ pub struct Arrangement {
     pub lamp_distance: f32,
     /// Light from all round, as a share of a lamp's, 0 to 1.
     pub surround: f32,
+    /// How it comes.
+    pub sky: Sky,
 }
+
+/// How light from all round comes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sky {
+    /// As in a bright room: a little more of it from above.
+    #[default]
+    Soft,
+    /// The same from everywhere.
+    Even,
+    /// As on a grey day: the CIE's overcast sky (Moon and Spencer 1942), three times as bright above as at the horizon, and ground
+    /// below that sends back a fifth.
+    Overcast,
+}
+
+impl Sky {
+    /// Towards a height above the horizon, as its sine, by what falls from it on level ground.
+    fn brightness(self, sine: f32) -> f32 {
+        match self {
+            Sky::Soft => 0.75 + 0.25 * sine,
+            Sky::Even => 1.0,
+            // The mean of (1 + 2 sin) / 3 over the hemisphere, weighted with the sine, is 7/9.
+            Sky::Overcast if sine >= 0.0 => (1.0 + 2.0 * sine) * (3.0 / 7.0),
+            Sky::Overcast => GROUND,
+        }
+    }
+}
+
+/// What the ground sends back.
+const GROUND: f32 = 0.2;
 
 impl Default for Arrangement {
     fn default() -> Arrangement {
@@ -109,6 +143,7 @@ impl Default for Arrangement {
             lamp_radius: 0.16,
             lamp_distance: 24.0,
             surround: 0.04,
+            sky: Sky::default(),
         }
     }
 }
@@ -123,7 +158,20 @@ const BEAM: f32 = 2.7;
 const REACH: f32 = 9.0;
 /// Of plaster and paper.
 const WALL_COLOUR: Vec3 = Vec3::new(0.58, 0.565, 0.54);
+const PAPER_COLOUR: Vec3 = Vec3::new(0.66, 0.645, 0.62);
 const SAMPLES_PER_SPAN: usize = 6;
+/// Of the lamps of a room, from the front, the side and above: warm, warmer, and as if from a window.
+const ROOM_TINTS: [Vec3; 3] = [Vec3::new(1.0, 0.965, 0.91), Vec3::new(1.0, 0.945, 0.87), Vec3::new(0.93, 0.965, 1.0)];
+/// Where the lamps of a studio are, and their light: key, fill and rim. They are so much larger and nearer than those of a room.
+const STUDIO: [([f32; 3], Vec3); 3] = [
+    ([-0.35, 1.0, 0.9], Vec3::new(1.25, 1.17, 1.05)),
+    ([1.0, 0.5, 0.6], Vec3::new(0.26, 0.29, 0.34)),
+    ([0.3, 0.8, -1.0], Vec3::new(0.62, 0.6, 0.56)),
+];
+const SOFTBOX: f32 = 5.0;
+const SOFTBOX_NEAR: f32 = 0.3;
+const STUDIO_BEAM: f32 = 40.0;
+const STUDIO_FLOOR: f32 = 60.0;
 
 /// Everything that light meets.
 pub struct Setting {
@@ -140,8 +188,7 @@ pub struct Setting {
 /// Light from all round.
 pub(crate) struct Surround {
     pub light: Vec3,
-    /// How much more of it comes from above, 0 to 1.
-    pub tilt: f32,
+    pub sky: Sky,
 }
 
 /// Rougher than this seen by what is matt.
@@ -153,35 +200,54 @@ impl Setting {
     /// # Errors
     /// [`Error::Setting`] for what is out of range.
     pub fn new(wire: &Wire, views: &[View], arrangement: &Arrangement) -> Result<Setting> {
-        let Arrangement { place, finish, colour, roughness, lamp_radius, lamp_distance, surround } = arrangement;
+        let Arrangement { place, finish, colour, roughness, lamp_radius, lamp_distance, surround, sky } = arrangement;
         check("lamp-distance", *lamp_distance, [3.0, 1000.0])?;
         check("lamp-radius", *lamp_radius, [0.0, 2.0])?;
         check("roughness", *roughness, [0.0, 1.0])?;
         check("surround", *surround, [0.0, 1.0])?;
+        let strands = Strands::new(wire, SAMPLES_PER_SPAN);
         let wall = Matter::Matte(WALL_COLOUR);
-        let away = place.away(views);
-        let (walls, eyes): (Vec<Wall>, Vec<Vec3A>) = match place {
-            Place::Room => (0..3).map(|k| (wall_of_room(k, wall), AXES[k])).unzip(),
-            Place::Screens => views.iter().map(|view| (screen(view, away, wall), eye_and_up(view)[0])).unzip(),
-        };
-        let lamp = |eye: &Vec3A| Lamp {
-            place: *lamp_distance * *eye,
+        let lamp = |eye: Vec3A, tint: Vec3| Lamp {
+            place: *lamp_distance * eye,
             aim: Vec3A::ZERO,
             radius: *lamp_radius,
             beam: BEAM,
-            light: Vec3::new(1.0, 0.965, 0.91),
+            light: tint,
         };
+        let (walls, lamps): (Vec<Wall>, Vec<Lamp>) = match place {
+            Place::Room => (0..3).map(|k| (wall_of_room(k, wall), lamp(AXES[k], ROOM_TINTS[k]))).unzip(),
+            Place::Screens => {
+                let away = place.away(views);
+                views.iter().map(|view| (screen(view, away, wall), lamp(eye_and_up(view)[0], ROOM_TINTS[0]))).unzip()
+            }
+            Place::Studio => {
+                let softbox = |(towards, light): ([f32; 3], Vec3)| Lamp {
+                    radius: SOFTBOX * lamp_radius,
+                    beam: STUDIO_BEAM,
+                    ..lamp(SOFTBOX_NEAR * Vec3A::from_array(towards).normalize(), light)
+                };
+                (vec![floor(strands.bounds()[0].y.max(-WALL_AWAY))], STUDIO.map(softbox).to_vec())
+            }
+        };
+        let reach = strands.bounds().map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f32::max);
+        if let Some(lamp) = lamps.iter().find(|lamp| lamp.place.abs().max_element() < reach + lamp.radius) {
+            return Err(Error::setting(
+                "lamp-distance",
+                format!("puts a lamp {:.1} from the middle, inside the wire or against it", lamp.place.length()),
+                format!("the wire reaches {reach:.1} far: give more, or a smaller lamp"),
+            ));
+        }
         let [matter, blurred] = [*roughness, roughness.max(BLURRED)].map(|roughness| match finish {
             Finish::Metal => Matter::Metal(*colour, Rough::new(roughness)),
             Finish::Matte => Matter::Matte(*colour),
         });
         Ok(Setting {
-            strands: Strands::new(wire, SAMPLES_PER_SPAN),
+            strands,
             wire: matter,
             blurred,
             walls,
-            lamps: eyes.iter().map(lamp).collect(),
-            surround: Surround { light: *surround * Vec3::new(0.92, 0.97, 1.06), tilt: 0.25 },
+            lamps,
+            surround: Surround { light: *surround * Vec3::new(0.92, 0.97, 1.06), sky: *sky },
         })
     }
 
@@ -205,9 +271,9 @@ impl Setting {
         !self.walls.iter().any(in_front) && !self.strands.blocks(origin, along, distance)
     }
 
-    /// Light from all round: more from above.
+    /// Light from all round.
     pub(crate) fn surround(&self, along: Vec3A) -> Vec3 {
-        self.surround.light * (1.0 + self.surround.tilt * (along.y - 1.0))
+        self.surround.light * self.surround.sky.brightness(along.y)
     }
 }
 
@@ -250,6 +316,12 @@ fn wall_of_room(k: usize, matter: Matter) -> Wall {
     Wall { place: -WALL_AWAY * normal + middle * (across + up), sides: [half * across, half * up], matter }
 }
 
+/// At a height, wide and level.
+fn floor(height: f32) -> Wall {
+    let half = STUDIO_FLOOR;
+    Wall { place: height * Vec3A::Y, sides: [half * Vec3A::Z, half * Vec3A::X], matter: Matter::Matte(PAPER_COLOUR) }
+}
+
 fn check(name: &str, value: f32, [least, most]: [f32; 2]) -> Result<()> {
     if (least..=most).contains(&value) {
         return Ok(());
@@ -279,9 +351,39 @@ mod tests {
     }
 
     #[test]
+    fn a_sky_is_as_bright_as_it_says_and_white_ground_under_it_too() {
+        for sky in [Sky::Even, Sky::Overcast] {
+            let steps = 10_000;
+            let sine = |i: usize| (i as f32 + 0.5) / steps as f32;
+            // Light on level ground, over that of a sky of 1: the mean over the sine's square.
+            let falls: f32 = (0..steps).map(|i| sky.brightness(sine(i)) * 2.0 * sine(i)).sum::<f32>() / steps as f32;
+            assert!((falls - 1.0).abs() < 0.001, "{sky:?}: {falls}");
+            let setting = Setting {
+                walls: vec![Wall { matter: Matter::Matte(Vec3::ONE), ..floor(-WALL_AWAY) }],
+                lamps: vec![],
+                surround: Surround { light: Vec3::ONE, sky },
+                ..arranged(&Arrangement::default())
+            };
+            let origin = Vec3A::new(40.0, 3.0, 40.0);
+            let seen = |i: u32| light(&setting, origin, Vec3A::NEG_Y, &mut Sampler::new(1, 0, i));
+            let mean = (0..16_384).map(|i| f64::from(seen(i).indirect.y)).sum::<f64>() / 16_384.0;
+            assert!((mean - 1.0).abs() < 0.005, "{sky:?}: {mean}");
+        }
+        assert!((Sky::Overcast.brightness(1.0) / Sky::Overcast.brightness(0.0) - 3.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_lamp_inside_the_wire_is_named() {
+        let far = Wire::open_uniform((0..8).map(|i| [f64::from(i) - 3.5, 0.2, 0.0, 0.05]).collect()).unwrap();
+        let arrangement = Arrangement { lamp_distance: 3.0, ..Arrangement::default() };
+        let refused = Setting::new(&far, &View::canonical(2.2, 256), &arrangement).err().expect("it reaches the lamp");
+        assert!(refused.to_string().contains("inside the wire"), "{refused}");
+    }
+
+    #[test]
     fn a_white_wire_in_even_light_cannot_be_seen() {
         for matter in [Matter::Matte(Vec3::ONE), Matter::Metal(Vec3::ONE, Rough::new(0.4))] {
-            let surround = Surround { light: Vec3::ONE, tilt: 0.0 };
+            let surround = Surround { light: Vec3::ONE, sky: Sky::Even };
             let setting = Setting {
                 wire: matter,
                 blurred: matter,

@@ -56,6 +56,12 @@ impl Strands {
         Strands { cones, tree: bvh2_to_cwbvh(&tree, 3, true, false) }
     }
 
+    /// The lowest and the highest corner of a box round all of it; the middle where there is nothing.
+    pub fn bounds(&self) -> [Vec3A; 2] {
+        let boxes = self.cones.iter().map(Cone::bounds);
+        boxes.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]).unwrap_or([Vec3A::ZERO; 2])
+    }
+
     /// Where a ray of direction `along` (length 1) first enters the wire, nearer than `most`.
     pub fn entry(&self, origin: Vec3A, along: Vec3A, most: f32) -> Option<Entry> {
         let mut first = None;

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 use wire4d::sculpture::Sculpture;
 use wire4d::{Error, Result};
-use wire4d_photograph::{Arrangement, Develop, Film, Finish, Lens, Place, Setting, Vec3};
+use wire4d_photograph::{Arrangement, Develop, Film, Finish, Lens, Place, Setting, Sky, Vec3};
 
 /// What somebody wants of it; lengths in world units, angles in degrees, see [`Arrangement`] and [`Lens`].
 #[derive(Deserialize)]
@@ -13,7 +13,7 @@ struct Wishes {
     /// Width and height, px.
     size: [usize; 2],
     seed: u32,
-    /// `room`, `screens`, or what fits the wire's views.
+    /// `room`, `screens`, `studio`, or what fits the wire's views.
     place: Option<String>,
     matte: bool,
     /// Linear, 0 to 1.
@@ -21,6 +21,8 @@ struct Wishes {
     roughness: f32,
     lamp_radius: f32,
     surround: f32,
+    /// Whether that light comes as on a grey day.
+    overcast: bool,
     azimuth: f32,
     elevation: f32,
     aperture: f32,
@@ -67,6 +69,7 @@ fn opened(file: &[u8], wishes: &str) -> Result<Photograph> {
         .map_err(|problem| Error::setting("photograph", problem.to_string(), "reload the page"))?;
     let place = match wishes.place.as_deref() {
         Some("room") => Place::Room,
+        Some("studio") => Place::Studio,
         Some("screens") if !sculpture.views.is_empty() => Place::Screens,
         _ => Place::fitting(&sculpture.views),
     };
@@ -77,6 +80,7 @@ fn opened(file: &[u8], wishes: &str) -> Result<Photograph> {
         roughness: wishes.roughness,
         lamp_radius: wishes.lamp_radius,
         surround: wishes.surround,
+        sky: if wishes.overcast { Sky::Overcast } else { Sky::Soft },
         ..Arrangement::default()
     };
     let [width, height] = wishes.size;

@@ -1,6 +1,6 @@
 /** Has photographs taken in a worker, so that the page never waits for one. */
 
-import type { Order, Pixels, Told, Wishes } from "./orders";
+import type { Order, Pixels, Rest, Told, Wishes } from "./orders";
 
 export interface Ear {
   /** A picture of it so far; `passes` is 0 for a small one. */
@@ -36,19 +36,24 @@ export class Camera {
     return new Promise((resolve, reject) => {
       this.waiting = { id, resolve, reject, picture: (pixels, passes) => ear.picture(pixels, passes), progress: (passes) => ear.progress(passes) };
       this.worker ??= this.open();
+      this.rest();
       this.worker.postMessage({ id, file, wishes, passes } satisfies Order);
     });
   }
 
   /** Ends at once. */
   giveUp(): void {
+    document.removeEventListener("visibilitychange", this.rest);
     this.worker?.terminate();
     this.worker = null;
     this.waiting?.reject(new GivenUp("given up"));
     this.waiting = null;
   }
 
+  private readonly rest = (): void => this.worker?.postMessage({ rests: document.hidden } satisfies Rest);
+
   private open(): Worker {
+    document.addEventListener("visibilitychange", this.rest);
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "photograph" });
     worker.onmessage = ({ data }: MessageEvent<Told>) => this.hear(data);
     worker.onerror = () => {

@@ -7,7 +7,7 @@ export interface Wishes {
   readonly size: Size;
   readonly seed: number;
   /** Where shadows fall; null: as suits the views that the wire was made for. */
-  readonly place: "room" | "screens" | null;
+  readonly place: "room" | "screens" | "studio" | null;
   readonly matte: boolean;
   /** Of the wire, linear, 0 to 1. */
   readonly colour: readonly [number, number, number];
@@ -16,6 +16,8 @@ export interface Wishes {
   readonly lampRadius: number;
   /** Light from all round, as a share of a lamp's. */
   readonly surround: number;
+  /** Whether that light comes as on a grey day. */
+  readonly overcast: boolean;
   readonly azimuth: number;
   readonly elevation: number;
   readonly aperture: number;
@@ -35,6 +37,11 @@ export interface Order {
 /** RGBA, rows from the top. */
 export interface Pixels extends Size {
   readonly rgba: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** Nobody looks at the page: what is being taken waits. */
+export interface Rest {
+  readonly rests: boolean;
 }
 
 export type Told =

@@ -2,7 +2,7 @@
 
 import init, { Photograph } from "../engine/wasm/wire4d_photograph";
 import moduleUrl from "../engine/wasm/wire4d_photograph_bg.wasm?url";
-import type { Order, Pixels, Told, Wishes } from "./orders";
+import type { Order, Pixels, Rest, Told, Wishes } from "./orders";
 
 /** Of the small picture, px, and how often it is exposed. */
 const SMALL_PX = 560;
@@ -11,8 +11,14 @@ const SMALL_PASSES = 8;
 const CLEARER = 4;
 
 let newest = 0;
+let rested: Promise<void> = Promise.resolve();
+let wake = (): void => undefined;
 
-onmessage = ({ data }: MessageEvent<Order>) => void take(data);
+onmessage = ({ data }: MessageEvent<Order | Rest>) => {
+  if (!("rests" in data)) return void take(data);
+  wake();
+  if (data.rests) rested = new Promise((resolve) => (wake = resolve));
+};
 
 async function take(order: Order): Promise<void> {
   const { id, file, wishes, passes } = order;
@@ -45,6 +51,7 @@ async function exposed(file: Uint8Array, wishes: Wishes, passes: number, id: num
       photograph.expose();
       each(photograph, wishes);
       await new Promise((resolve) => setTimeout(resolve));
+      await rested;
     }
   } finally {
     photograph.free();

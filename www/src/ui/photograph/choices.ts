@@ -28,6 +28,19 @@ export const SHADOWS = {
 } as const;
 export type Shadows = keyof typeof SHADOWS;
 
+/** Besides the lamps. */
+export const SKIES = {
+  room: { words: msg("Dim"), overcast: false, more: 1, exposure: 1 },
+  grey: { words: msg("A grey sky"), overcast: true, more: 6, exposure: 0.4 },
+} as const;
+export type SkyName = keyof typeof SKIES;
+
+export const PLACES = {
+  room: { words: msg("A room's walls") },
+  screens: { words: msg("Screens") },
+  studio: { words: msg("A studio's floor") },
+} as const;
+
 export const FOCUS = {
   all: { words: msg("All of it"), aperture: 0 },
   wire: { words: msg("The wire alone"), aperture: 0.07 },
@@ -57,7 +70,8 @@ export interface Choices {
   readonly patience: Patience;
   readonly format: Format;
   /** Where shadows fall. */
-  readonly place: "room" | "screens";
+  readonly place: keyof typeof PLACES;
+  readonly sky: SkyName;
   /** From the corner that sees all shadows, or as the stage has it. */
   readonly from: "corner" | "stage";
 }
@@ -65,9 +79,10 @@ export interface Choices {
 /** From where all three walls are seen, degrees. */
 const CORNER = { azimuth: 42, elevation: 28 } as const;
 
-export function wishesFor({ finish, shadows, focus, format, place, from }: Choices, stage: { readonly azimuth: number; readonly elevation: number } | null): Wishes {
+export function wishesFor({ finish, shadows, focus, format, place, sky, from }: Choices, stage: { readonly azimuth: number; readonly elevation: number } | null): Wishes {
   const { matte, colour, roughness } = FINISHES[finish];
   const { lampRadius, surround } = SHADOWS[shadows];
+  const { overcast, more, exposure } = SKIES[sky];
   const { azimuth, elevation } = (from === "stage" && stage) || CORNER;
-  return { size: FORMATS[format].size, seed: 0, place, matte, colour, roughness, lampRadius, surround, azimuth, elevation, aperture: FOCUS[focus].aperture, exposure: 1 };
+  return { size: FORMATS[format].size, seed: 0, place, matte, colour, roughness, lampRadius, surround: more * surround, overcast, azimuth, elevation, aperture: FOCUS[focus].aperture, exposure };
 }

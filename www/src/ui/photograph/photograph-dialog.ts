@@ -11,7 +11,7 @@ import { dialogHeadStyle, dialogStyle } from "../shared/dialog-style";
 import { icons } from "../shared/icons";
 import { segmented, segmentedStyle } from "../shared/segmented";
 import { barStyle, controls } from "../shared/shared";
-import { FINISHES, FOCUS, FORMATS, PATIENCE, SHADOWS, wishesFor, type Choices } from "./choices";
+import { FINISHES, FOCUS, FORMATS, PATIENCE, PLACES, SHADOWS, SKIES, wishesFor, type Choices } from "./choices";
 
 /** Between a choice and its picture: who goes through choices sees the last. */
 const BREATH_MS = 120;
@@ -31,7 +31,7 @@ export class PhotographDialog extends LitElement {
   @property({ attribute: false }) sitter!: Sitter;
   @property({ attribute: false }) save!: (made: Blob, ending: string) => string;
   @property({ attribute: false }) carrying!: (picture: Blob) => Promise<Blob>;
-  @state() private choices: Choices = { finish: "copper", shadows: "soft", focus: "all", patience: "good", format: "wide", place: "room", from: "corner" };
+  @state() private choices: Choices = { finish: "copper", shadows: "soft", focus: "all", patience: "good", format: "wide", place: "room", sky: "room", from: "corner" };
   /** Passes that are done of the photograph that is being taken; null while none is. */
   @state() private passes: number | null = null;
   @state() private said = "";
@@ -101,7 +101,7 @@ export class PhotographDialog extends LitElement {
             </select>
           </label>
           ${this.choice("shadows", msg("Shadows"), SHADOWS)} ${this.choice("focus", msg("In focus"), FOCUS)}
-          ${this.choice("place", msg("Shadows fall on"), { room: { words: msg("A room's walls") }, screens: { words: msg("Screens") } })}
+          ${this.choice("place", msg("Shadows fall on"), PLACES)} ${this.choice("sky", msg("Other light"), SKIES)}
           ${this.sitter.stage ? this.choice("from", msg("Seen from"), { corner: { words: msg("The corner") }, stage: { words: msg("As on the stage") } }) : nothing}
           ${this.choice("format", msg("Size"), FORMATS)} ${this.choice("patience", msg("Patience"), PATIENCE)}
         </div>
@@ -138,7 +138,7 @@ export class PhotographDialog extends LitElement {
     return PATIENCE[this.choices.patience].passes;
   }
 
-  private choice<Name extends "shadows" | "focus" | "place" | "from" | "format" | "patience">(name: Name, legend: string, options: Readonly<Record<string, { readonly words: string }>>) {
+  private choice<Name extends "shadows" | "focus" | "place" | "sky" | "from" | "format" | "patience">(name: Name, legend: string, options: Readonly<Record<string, { readonly words: string }>>) {
     return segmented({
       legend,
       name,
