@@ -7,8 +7,8 @@ import type { Plugin } from "vite";
 import { bundled } from "./bundled.ts";
 
 const SCRIPT = "offline.js";
-/** Large, and not what everybody comes for: networks and what runs them, the gallery's works, the picture for other sites. */
-const WHEN_USED = /\.onnx$|(^|\/)ort[.-]|^assets\/words-.*\.(bin|json)$|^gallery\/|^og\.jpg$/;
+/** Large, and not what everybody comes for: networks and what runs them, the gallery's works, the picture for other sites, English in disguise. */
+const WHEN_USED = /\.onnx$|(^|\/)ort[.-]|^assets\/words-.*\.(bin|json)$|^assets\/pseudo-|^gallery\/|^og\.jpg$/;
 
 export const offline: Plugin = {
   name: "offline",
