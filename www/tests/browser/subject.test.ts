@@ -313,6 +313,8 @@ describe("marks", () => {
     await page.keyboard.press("Shift+ArrowLeft");
     await page.keyboard.press("Space");
     await expect.poll(marks).toMatchObject([{ adds: true, points: [0.5, 0.5, 0.4375, 0.5] }]);
+    // Nothing can be drawn while the object is looked for.
+    await editor().locator(".all:not(.busy)").waitFor();
     await editor().locator("input[value=box]").focus();
     await page.keyboard.press("Space");
     await large().focus();
