@@ -250,7 +250,8 @@ it("locks and hides on the page as it is, without a lesson, and keeps its addres
   const visited = await visit(browser, `${site.url}#v=1&preset=fast&lock=preset&hide=share,save`);
   const { page } = visited;
   await settled(page);
-  expect(await page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
+  // Settings come with the engine.
+  await expect.poll(() => page.locator("input[name=preset][value=fast]").isChecked()).toBe(true);
   expect(await page.locator("input[name=preset][value=best]").isDisabled()).toBe(true);
   expect(await page.getByRole("button", { name: "Share", exact: true }).count()).toBe(0);
   await choose(page, "seed", "5");
